@@ -1,0 +1,93 @@
+#pragma once
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "monocular_eye_hand/geometry/camera.h"
+#include "monocular_eye_hand/geometry/ellipse.h"
+
+namespace monocular_eye_hand {
+
+// All coordinates here are rectified pixels (uv_rect): lens distortion is removed from the features, never from
+// the image.
+
+/// One sub-pixel edge point.
+struct EdgePoint {
+  Eigen::Vector2f uv;
+  Eigen::Vector2f normal;   ///< unit, from dark to bright
+  float gradient = 0;       ///< magnitude [grey levels per raw pixel]
+  float sigma = 0;          ///< standard deviation along the normal [px]
+};
+
+/// A run of neighbouring edge points: points[first .. first + count).
+struct EdgeTrace {
+  int first = 0;
+  int count = 0;
+  bool closed = false;
+};
+
+/// A straight piece. Seen from p towards q the bright side is on the left-hand normal
+/// n = (q - p) rotated by -90 degrees in (u right, v down) coordinates, i.e. n = (d.y, -d.x).
+struct LineSegment {
+  Eigen::Vector2d p, q;
+  double sigma_offset = 0;  ///< standard deviation of the line's offset at its middle [px]
+  double sigma_angle = 0;   ///< standard deviation of its direction [rad]
+  double sigma_p = 0, sigma_q = 0;  ///< standard deviation of the end points along the line [px]
+  double contrast = 0;      ///< mean gradient magnitude of its points [grey levels per pixel]
+  int trace = -1;           ///< the trace it was split from; -1 for one joined across a gap
+  int first = 0, count = 0; ///< its points in FeatureSet::points (of its longest piece when joined)
+  std::vector<int> pieces;  ///< segments that this one joins across explained gaps; empty for a plain one
+
+  Eigen::Vector2d direction() const { return (q - p).normalized(); }
+  double length() const { return (q - p).norm(); }
+};
+
+/// A curved piece of one trace: points[first .. first + count) lie on `ellipse`.
+struct EllipticArc {
+  Ellipse ellipse;
+  double start = 0, sweep = 0;  ///< eccentric angles [rad]; sweep in (-2 pi, 2 pi)
+  double rms = 0;               ///< point-to-ellipse distance [px]
+  int trace = -1, first = 0, count = 0;
+};
+
+/// Arcs that lie on one ellipse, fitted together.
+struct DetectedEllipse {
+  Ellipse ellipse;
+  Eigen::Matrix<double, 5, 5> covariance;  ///< of (centre u, centre v, a, b, angle) [px, rad]
+  double coverage = 0;  ///< share of the circumference that has edge points, 0..1
+  double rms = 0;       ///< [px]
+  bool bright_inside = false;
+  std::vector<int> arcs;
+};
+
+/// What the seed's figures 3 and 4 split an image into.
+struct FeatureSet {
+  Camera camera;  ///< of the image the features come from
+  std::vector<EdgePoint> points;  ///< trace after trace
+  std::vector<EdgeTrace> traces;
+  std::vector<LineSegment> segments;  ///< plain ones first, then joined ones
+  std::vector<EllipticArc> arcs;
+  std::vector<DetectedEllipse> ellipses;
+};
+
+/// Defaults stand here and nowhere else.
+struct FeatureOptions {
+  double smoothing_sigma = 0.8;      ///< Gaussian before differentiation [px]
+  double gradient_threshold = 4.0;   ///< weakest gradient of an edge point [grey levels per px]; raised with the noise
+  double noise_factor = 3.0;         ///< weakest gradient in multiples of the image's gradient noise
+  int min_trace_points = 8;          ///< shorter traces are dropped
+  double min_segment_length = 8.0;   ///< [px]
+  double split_tolerance = 1.0;      ///< largest departure of a trace point from its piece [px]
+  double join_gap_ratio = 0.4;       ///< longest gap bridged between collinear pieces, as a share of their length
+  double min_arc_sweep = 0.35;       ///< shortest arc kept [rad]
+  double min_ellipse_axis = 3.0;     ///< smallest semi-axis [px]
+  double min_ellipse_coverage = 0.3; ///< smallest covered share of the circumference
+
+  void check() const;  ///< throws BadInput naming field, value and rule
+};
+
+/// Detects edge traces, segments, arcs and ellipses in an 8-bit single-channel image.
+/// Throws BadInput when the image is empty, of another type, or of another size than the camera says.
+FeatureSet detectFeatures(const cv::Mat& grey, const Camera& camera, const FeatureOptions& options = {});
+
+}  // namespace monocular_eye_hand

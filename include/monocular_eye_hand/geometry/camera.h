@@ -1,0 +1,46 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+namespace monocular_eye_hand {
+
+enum class DistortionModel { kNone, kPlumbBob, kRationalPolynomial };
+
+/// Pinhole camera with lens distortion. Camera frame: optical (x right, y down, z forward, metres). Pixel centres
+/// lie at integer coordinates. `uv_raw` is a pixel of the image as taken, `uv_rect` the pixel where an ideal
+/// pinhole with the same fx, fy, cx, cy would see the same ray; without distortion they are equal.
+struct Camera {
+  int width = 0;   ///< pixels
+  int height = 0;  ///< pixels
+  double fx = 0, fy = 0, cx = 0, cy = 0;  ///< pixels
+  DistortionModel model = DistortionModel::kNone;
+  std::array<double, 8> d{};  ///< k1, k2, p1, p2, k3, k4, k5, k6 (OpenCV's order)
+
+  bool distorted() const;
+  /// Pinhole projection of a point with z > 0.
+  Eigen::Vector2d project(const Eigen::Vector3d& p_in_camera) const {
+    return {fx * p_in_camera.x() / p_in_camera.z() + cx, fy * p_in_camera.y() / p_in_camera.z() + cy};
+  }
+  /// Direction through a rectified pixel, scaled to z = 1.
+  Eigen::Vector3d ray(const Eigen::Vector2d& uv_rect) const {
+    return {(uv_rect.x() - cx) / fx, (uv_rect.y() - cy) / fy, 1.0};
+  }
+  Eigen::Vector2d distort(const Eigen::Vector2d& uv_rect) const;
+  /// Inverse of distort by Newton's method, to 1e-10 px inside the region where the model is one-to-one.
+  Eigen::Vector2d undistort(const Eigen::Vector2d& uv_raw) const;
+  Eigen::Matrix3d intrinsics() const;
+  /// The same camera with an image resized by `factor` (pixel centres stay at integers).
+  Camera resized(double factor) const;
+  /// Throws BadInput naming the field when a value is missing, not finite or implausible (fx or fy below a fifth
+  /// of the image's width, principal point outside the image, unknown distortion).
+  void check() const;
+};
+
+/// Reads the calibration YAML of camera_calibration / camera_info_manager. Throws BadInput.
+Camera loadCamera(const std::string& yaml_path);
+/// Builds a camera from a distortion model's ROS name ("plumb_bob", "rational_polynomial" or empty) and
+/// coefficients of any length those models allow. Throws BadInput.
+void setDistortion(Camera* camera, const std::string& ros_name, const double* coefficients, size_t count);
+
+}  // namespace monocular_eye_hand

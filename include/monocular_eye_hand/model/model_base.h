@@ -1,0 +1,60 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/model/characteristic_views.h"
+#include "monocular_eye_hand/model/object_model.h"
+
+namespace monocular_eye_hand {
+
+/// How a CAD file becomes an ObjectModel.
+struct ModelOptions {
+  double sharp_angle = 0.35;        ///< smallest dihedral of a sharp edge [rad]
+  double weld_tolerance = 1e-6;     ///< vertices nearer than this share of the diameter are one
+  double symmetry_tolerance = 2e-3; ///< largest surface distance of a symmetric copy, as a share of the diameter
+  bool find_symmetries = true;
+  void check() const;
+};
+
+/// Metres per unit: "m", "cm", "mm", "inch". Throws BadInput naming the known ones.
+double metresPerUnit(const std::string& unit);
+
+/// Reads STL, OBJ, PLY or DAE. Throws BadInput when it is missing, damaged, empty or not finite.
+Mesh loadMesh(const std::string& path, const std::string& unit);
+
+/// Welds, finds surfaces, sharp edges, circles, corners, symmetries; fills warnings. Throws BadInput on an empty mesh.
+ObjectModel buildModel(const std::string& name, const Mesh& mesh, const ModelOptions& options = {});
+
+/// A known object with everything recognition needs, compiled once.
+struct KnownObject {
+  ObjectModel model;
+  ViewSphere views;
+};
+
+/// The known objects. Names are unique.
+struct ModelBase {
+  std::vector<KnownObject> objects;
+  int indexOf(const std::string& name) const;  ///< -1 when unknown
+  std::string names() const;                   ///< "bridge, grenade, ..." for messages
+};
+
+/// One entry of a model base file.
+struct ObjectEntry {
+  std::string name;
+  std::string mesh;         ///< path, absolute or relative to the YAML
+  std::string unit = "mm";
+  ModelOptions options;
+};
+
+/// Reads the list of objects of config/objects.yaml: `objects: [{name, mesh, unit, ...overrides}]`. Unknown keys,
+/// double names and missing files are BadInput.
+std::vector<ObjectEntry> readObjectEntries(const std::string& yaml_path);
+
+/// Builds and compiles the entries, using the cache folder ("" = $XDG_CACHE_HOME or ~/.cache,
+/// monocular_eye_hand/; "none" = no cache). A stale or damaged cache file is rebuilt.
+ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views = {},
+                           const std::string& cache_dir = "");
+ModelBase loadModelBase(const std::string& yaml_path, const ViewOptions& views = {},
+                        const std::string& cache_dir = "");
+
+}  // namespace monocular_eye_hand

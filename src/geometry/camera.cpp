@@ -1,0 +1,129 @@
+#include "monocular_eye_hand/geometry/camera.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+// Brown-Conrady with the rational radial factor; OpenCV's formulas and order of coefficients.
+struct Distorted {
+  Eigen::Vector2d xy;
+  Eigen::Matrix2d jacobian;
+};
+
+Distorted distortNormalized(const std::array<double, 8>& d, const Eigen::Vector2d& p) {
+  const double x = p.x(), y = p.y(), r2 = x * x + y * y;
+  const double k1 = d[0], k2 = d[1], p1 = d[2], p2 = d[3], k3 = d[4], k4 = d[5], k5 = d[6], k6 = d[7];
+  const double num = 1 + r2 * (k1 + r2 * (k2 + r2 * k3)), den = 1 + r2 * (k4 + r2 * (k5 + r2 * k6));
+  const double dnum = k1 + r2 * (2 * k2 + 3 * r2 * k3), dden = k4 + r2 * (2 * k5 + 3 * r2 * k6);
+  const double g = num / den, dg = (dnum * den - num * dden) / (den * den);  // d/d(r2)
+  Distorted out;
+  out.xy = {x * g + 2 * p1 * x * y + p2 * (r2 + 2 * x * x), y * g + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y};
+  out.jacobian << g + 2 * x * x * dg + 2 * p1 * y + 6 * p2 * x, 2 * x * y * dg + 2 * p1 * x + 2 * p2 * y,
+      2 * x * y * dg + 2 * p1 * x + 2 * p2 * y, g + 2 * y * y * dg + 6 * p1 * y + 2 * p2 * x;
+  return out;
+}
+
+[[noreturn]] void refuse(const std::string& field, double value, const std::string& rule) {
+  std::ostringstream text;
+  text << "camera: " << field << " = " << value << " " << rule;
+  throw BadInput(text.str());
+}
+
+}  // namespace
+
+bool Camera::distorted() const {
+  return model != DistortionModel::kNone &&
+         std::any_of(d.begin(), d.end(), [](double value) { return value != 0; });
+}
+
+Eigen::Vector2d Camera::distort(const Eigen::Vector2d& uv_rect) const {
+  if (!distorted()) return uv_rect;
+  const Eigen::Vector2d p = distortNormalized(d, {(uv_rect.x() - cx) / fx, (uv_rect.y() - cy) / fy}).xy;
+  return {fx * p.x() + cx, fy * p.y() + cy};
+}
+
+Eigen::Vector2d Camera::undistort(const Eigen::Vector2d& uv_raw) const {
+  if (!distorted()) return uv_raw;
+  const Eigen::Vector2d target((uv_raw.x() - cx) / fx, (uv_raw.y() - cy) / fy);
+  Eigen::Vector2d p = target;
+  for (int i = 0; i < 30; ++i) {
+    const Distorted at = distortNormalized(d, p);
+    const Eigen::Vector2d residual = at.xy - target;
+    if (residual.squaredNorm() < 1e-28) break;
+    Eigen::Vector2d step = at.jacobian.inverse() * residual;
+    if (!step.allFinite()) break;
+    const double limit = 0.25;  // outside the one-to-one region Newton may jump
+    if (step.norm() > limit) step *= limit / step.norm();
+    p -= step;
+  }
+  return {fx * p.x() + cx, fy * p.y() + cy};
+}
+
+Eigen::Matrix3d Camera::intrinsics() const {
+  Eigen::Matrix3d k;
+  k << fx, 0, cx, 0, fy, cy, 0, 0, 1;
+  return k;
+}
+
+Camera Camera::resized(double factor) const {
+  Camera c = *this;
+  c.width = int(std::lround(width * factor));
+  c.height = int(std::lround(height * factor));
+  const double sx = double(c.width) / width, sy = double(c.height) / height;
+  c.fx = fx * sx;
+  c.fy = fy * sy;
+  c.cx = (cx + 0.5) * sx - 0.5;
+  c.cy = (cy + 0.5) * sy - 0.5;
+  return c;
+}
+
+void Camera::check() const {
+  if (width <= 0) refuse("width", width, "must be positive");
+  if (height <= 0) refuse("height", height, "must be positive");
+  const std::pair<const char*, double> focal[] = {{"fx", fx}, {"fy", fy}};
+  for (const auto& [field, value] : focal) {
+    if (!std::isfinite(value)) refuse(field, value, "is not finite: calibrate the camera again");
+    if (value == 0) refuse(field, value, "means uncalibrated: calibrate the camera (camera_calibration)");
+    if (value < width / 5.0)
+      refuse(field, value,
+             "px is implausible, below a fifth of the image width (" + std::to_string(width) +
+                 " px): check the calibration and its image size");
+  }
+  if (!(cx > 0 && cx < width)) refuse("cx", cx, "px lies outside the image: check the calibration");
+  if (!(cy > 0 && cy < height)) refuse("cy", cy, "px lies outside the image: check the calibration");
+  const char* names[] = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+  for (size_t i = 0; i < d.size(); ++i)
+    if (!std::isfinite(d[i])) refuse(names[i], d[i], "is not finite: calibrate the camera again");
+}
+
+void setDistortion(Camera* camera, const std::string& ros_name, const double* coefficients, size_t count) {
+  camera->d.fill(0);
+  const bool all_zero = std::all_of(coefficients, coefficients + count, [](double v) { return v == 0; });
+  if (count == 0 || (ros_name.empty() && all_zero)) {
+    camera->model = DistortionModel::kNone;
+    return;
+  }
+  if (ros_name == "plumb_bob" || (ros_name.empty() && count <= 5)) {
+    if (count > 5)
+      throw BadInput("camera: plumb_bob has at most 5 distortion coefficients, got " + std::to_string(count));
+    camera->model = DistortionModel::kPlumbBob;
+  } else if (ros_name == "rational_polynomial") {
+    if (count > 8 && !std::all_of(coefficients + 8, coefficients + count, [](double v) { return v == 0; }))
+      throw BadInput("camera: rational_polynomial is supported with 8 distortion coefficients, got " +
+                     std::to_string(count) + " (thin prism and tilt terms are not)");
+    camera->model = DistortionModel::kRationalPolynomial;
+  } else {
+    throw BadInput("camera: distortion model '" + ros_name +
+                   "' is not supported; known: plumb_bob, rational_polynomial. Rectify the image first and use "
+                   "image_rect.");
+  }
+  std::copy(coefficients, coefficients + std::min<size_t>(count, 8), camera->d.begin());
+}
+
+}  // namespace monocular_eye_hand
