@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "monocular_eye_hand/simulation/scene.h"
+
+namespace monocular_eye_hand {
+
+/// A way to rest on the table.
+struct StablePose {
+  Rigid3 table_from_object;  ///< lowest points at z = 0, centre of mass above the origin
+  double weight = 0;         ///< how far it is from toppling, the sum over a mesh's poses is 1
+};
+
+/// Faces of the convex hull that carry the centre of mass, most stable first.
+/// Throws BadInput when the mesh is empty or flat.
+std::vector<StablePose> stablePoses(const Mesh& mesh);
+
+enum class SceneLevel {
+  kEasy,    ///< 1-3 parts, plain table
+  kMedium,  ///< 3-5 parts, textured table, 1-3 pieces of clutter
+  kHard     ///< 4-7 parts close together, 4-8 pieces of clutter, strong textures, low views
+};
+
+struct RandomSceneOptions {
+  SceneLevel level = SceneLevel::kEasy;
+  int parts = -1;                                   ///< exactly so many; -1: as the level says
+  int clutter = -1;                                 ///< exactly so many; -1: as the level says
+  double min_distance = 0.42, max_distance = 0.85;  ///< eye to the middle of the table [m]
+
+  void check() const;  ///< throws BadInput naming field, value and rule
+};
+
+/// Parts (drawn from `models`, several of one kind possible) and clutter resting on the table side by side
+/// without touching, random materials, lights and camera pose. A part that finds no room is left out. Throws
+/// BadInput when parts are asked for and `models` is empty.
+Scene randomScene(const std::vector<NamedMesh>& models, uint32_t seed,
+                  const RandomSceneOptions& options = {});
+Scene randomScene(const std::vector<NamedMesh>& models, uint32_t seed, SceneLevel level);
+/// Only clutter: nothing to be found.
+Scene randomClutter(uint32_t seed, int pieces = 8);
+
+/// Share of the table area that two resting objects both cover, seen from above, as a share of the smaller
+/// one (0: they stand side by side). Resolution about 1 mm.
+double footprintOverlap(const SceneObject& a, const SceneObject& b);
+
+}  // namespace monocular_eye_hand
