@@ -1,5 +1,6 @@
 # One room = one library with an explicit source list; its link line is the architecture diagram.
-#   room(<name> SOURCES <file>... [LINK <target>...])      library monocular_eye_hand_<name>, sources in src/<name>/
+#   room(<name> SOURCES <file>... [LINK <target>...])       library monocular_eye_hand_<name>, sources in src/<name>/
+#   tool(<name> SOURCES <file>... [LINK <target>...])       program <name>, target monocular_eye_hand_tool_<name>
 #   room_test(<room> <name> SOURCES <file>... [LINK ...])   gtest in test/<room>/, built by the target `tests`, run by ctest
 include(CMakeParseArguments)
 
@@ -7,26 +8,57 @@ function(room name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   set(target monocular_eye_hand_${name})
   add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(monocular_eye_hand::${name} ALIAS ${target})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   target_link_libraries(${target} PUBLIC ${ARG_LINK})
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
-  set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_ROOMS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH "$ORIGIN")
+  set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_LIBRARIES ${target})
 endfunction()
 
-function(room_test room name)
+function(tool name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  set(target monocular_eye_hand_tool_${name})
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE ${ARG_LINK})
+  target_compile_options(${target} PRIVATE -Wall -Wextra)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name}
+    INSTALL_RPATH "$ORIGIN/${MONOCULAR_EYE_HAND_LIB_FROM_BIN}")
+  set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_PROGRAMS ${target})
+endfunction()
+
+if(MONOCULAR_EYE_HAND_TESTS)
+  enable_testing()
+  find_package(GTest REQUIRED)
+  if(NOT TARGET tests)
+    add_custom_target(tests)
+  endif()
+endif()
+
+function(room_test room name)
   if(NOT MONOCULAR_EYE_HAND_TESTS)
     return()
   endif()
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   set(target test_${room}_${name})
   add_executable(${target} EXCLUDE_FROM_ALL ${ARG_SOURCES})
   target_link_libraries(${target} monocular_eye_hand_${room} ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
-  target_compile_definitions(${target} PRIVATE
-    MONOCULAR_EYE_HAND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_definitions(${target} PRIVATE MONOCULAR_EYE_HAND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # Not in the devel space: rosrun would offer the tests as programs of the package.
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/test/${room})
   add_dependencies(tests ${target})
-  set(results ${MONOCULAR_EYE_HAND_TEST_RESULTS}/gtest-${target}.xml)
-  add_test(NAME ${room}.${name} COMMAND ${target} --gtest_output=xml:${results})
+  set(binary ${PROJECT_BINARY_DIR}/test/${room}/${target})
+  set(results gtest-${target}.xml)
+  if(MONOCULAR_EYE_HAND_WITH_ROS)  # also run by `run_tests`; a test that dies without a result counts as failed
+    catkin_run_tests_target("gtest" ${target} ${results} DEPENDENCIES ${target}
+      COMMAND "${binary} --gtest_output=xml:${MONOCULAR_EYE_HAND_TEST_RESULTS}/${results}")
+    set(test _ctest_${PROJECT_NAME}_gtest_${target})
+  else()
+    set(test ${room}.${name})
+    add_test(NAME ${test} COMMAND ${binary} --gtest_output=xml:${MONOCULAR_EYE_HAND_TEST_RESULTS}/${results})
+  endif()
+  set_tests_properties(${test} PROPERTIES TIMEOUT 600 LABELS ${room})
 endfunction()
