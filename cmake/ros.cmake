@@ -9,6 +9,12 @@
 set(MONOCULAR_EYE_HAND_ROS_PACKAGES  # each after those it requires itself
   std_msgs geometry_msgs sensor_msgs visualization_msgs roscpp cv_bridge tf2_ros image_transport camera_info_manager)
 
+# ROS is installed for the system's python; another one first on the PATH knows none of its modules.
+if(NOT PYTHON_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that catkin and the message generators run on")
+  set(Python3_EXECUTABLE ${PYTHON_EXECUTABLE} CACHE FILEPATH "The same, for CMake's newer search")
+endif()
+
 set(missing "")
 if(MONOCULAR_EYE_HAND_ROS)
   foreach(package catkin message_generation message_runtime ${MONOCULAR_EYE_HAND_ROS_PACKAGES})
