@@ -1,6 +1,7 @@
 #pragma once
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/grouping/grouping.h"
+#include "monocular_eye_hand/recognition/decision.h"
 
 namespace monocular_eye_hand {
 
@@ -8,15 +9,36 @@ namespace monocular_eye_hand {
 struct RecognitionOptions {
   FeatureOptions features;
   GroupingOptions grouping;
-  double min_distance = 0.25;     ///< nearest object centre considered [m]
-  double max_distance = 2.5;      ///< farthest object centre considered [m]
-  double min_size = 32.0;         ///< smallest image of an object's diameter considered [px]
-  double min_in_frame = 0.4;      ///< smallest share of an object's contour inside the image
-  int budget = 0;                 ///< most hypotheses scored per image; 0 = until all groupings are used
-  double time_limit = 0;          ///< wall-clock cut [s]; 0 = none. A result it cuts says truncated.
+  DecisionWeights decision;
+  double min_distance = 0.25;  ///< nearest object centre considered [m]
+  double max_distance = 2.5;   ///< farthest object centre considered [m]
+  double min_size = 32.0;      ///< smallest image of an object's diameter considered [px]
+  double min_in_frame = 0.4;   ///< smallest share of an object's contour inside the image
+  int search_width = 960;  ///< wider images are searched at half size (again and again), refined in full [px]
+  int refined_per_object = 600;  ///< hypotheses moved onto the edges, per object and round
+  int verified_per_object = 60;  ///< of these, refined on the exact contour and judged
+  int budget = 0;                ///< most hypotheses scored per image; 0 = until all groupings are used
+  double time_limit = 0;         ///< wall-clock cut [s]; 0 = none. A result it cuts says truncated.
   double accept_probability = 0.5;
-  double ambiguous_ratio = 0.5;   ///< an alternative this likely relative to the best makes a result ambiguous
+  double ambiguous_ratio = 0.5;  ///< an alternative this likely relative to the best makes a result ambiguous
 
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("features", features);
+    v("grouping", grouping);
+    v("decision", decision);
+    v("min_distance", min_distance);
+    v("max_distance", max_distance);
+    v("min_size", min_size);
+    v("min_in_frame", min_in_frame);
+    v("search_width", search_width);
+    v("refined_per_object", refined_per_object);
+    v("verified_per_object", verified_per_object);
+    v("budget", budget);
+    v("time_limit", time_limit);
+    v("accept_probability", accept_probability);
+    v("ambiguous_ratio", ambiguous_ratio);
+  }
   void check() const;  ///< throws BadInput naming field, value and rule
 };
 

@@ -24,7 +24,7 @@ struct Alternative {
 
 /// The narrow waist: an object, its pose, its covariance, and the evidence.
 struct RecognizedObject {
-  int object = -1;    ///< ModelBase::objects
+  int object = -1;  ///< ModelBase::objects
   std::string name;
   Rigid3 camera_from_object;
   Matrix6d covariance = Matrix6d::Zero();  ///< x, y, z, rotation about x, y, z; camera frame; m^2, rad^2
@@ -37,10 +37,10 @@ struct RecognizedObject {
   int expected_features = 0;  ///< ... visible in this view
   int matched_groupings = 0;  ///< image groupings explained by this object
   int characteristic_view = -1;
-  cv::Rect bounding_box;      ///< of the projected model [uv_rect px]
-  std::string symmetry;       ///< "", "2 equal poses", "free about z axis (0, 0, 1) through ...", for people
-  bool free_axis = false;     ///< rotation about the model's symmetry axis cannot be seen
-  std::string reason;         ///< why accepted, rejected or ambiguous
+  cv::Rect bounding_box;   ///< of the projected model [uv_rect px]
+  std::string symmetry;    ///< "", "2 equal poses", "free about z axis (0, 0, 1) through ...", for people
+  bool free_axis = false;  ///< rotation about the model's symmetry axis cannot be seen
+  std::string reason;      ///< why accepted, rejected or ambiguous
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
 };
 
@@ -63,8 +63,10 @@ struct RecognitionResult {
 
 /// What to look for in one image.
 struct RecognitionRequest {
-  std::string only;         ///< name of the one object wanted ("": all); stops at the first plausible and reliable match
-  std::vector<RecognizedObject> previous;  ///< last frame's objects: equal poses are reported nearest to these
+  std::string
+      only;  ///< name of the one object wanted ("": all); stops at the first plausible and reliable match
+  std::vector<RecognizedObject>
+      previous;  ///< last frame's objects: equal poses are reported nearest to these
 };
 
 /// Recognises the known objects in single grey images: the seed's figure 2 from end to end. Immutable after
@@ -77,7 +79,8 @@ class Recognizer {
   const ModelBase& models() const;
   const RecognitionOptions& options() const;
 
-  /// `grey`: CV_8UC1 of the camera's size. Throws BadInput on a bad image, a bad camera, or an unknown `only`.
+  /// `grey`: CV_8UC1 of the camera's size. Throws BadInput on a bad image, a bad camera, or an unknown
+  /// `only`.
   RecognitionResult recognize(const cv::Mat& grey, const Camera& camera,
                               const RecognitionRequest& request = {}) const;
 

@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/recognition/evidence.h"
+#include "monocular_eye_hand/recognition/search_model.h"
+
+namespace monocular_eye_hand {
+
+/// A visible contour sample in the image, and the edge point that answers it.
+struct SeenSample {
+  Eigen::Vector3d p_in_object;
+  Eigen::Vector2d uv, direction;  ///< rectified pixels; direction: unit
+  int group = 0;
+  int edge_point = -1;  ///< FeatureSet::points, -1: none within range
+  bool inside = false;  ///< inside the image
+  bool silhouette = false;
+};
+
+/// Projects the exact visible contour at about `step` px.
+std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& camera_from_object,
+                                       const Camera& camera, const RectDomain& domain, double step);
+
+/// Moves a hypothesis onto the edges with the precomputed contour of its nearest view: cheap, wide basin.
+/// *view follows the pose. False when the pose escapes or too little of it is answered.
+bool alignCoarsely(const SearchModel& model, const Camera& camera, const EdgeRaster& raster, Rigid3* pose,
+                   int* view);
+
+/// Refines on the exact visible contour, hidden lines removed, re-associated with shrinking range.
+RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const RectDomain& domain,
+                        const EdgeRaster& raster, const Rigid3& start, const std::vector<double>& ranges,
+                        double step);
+
+}  // namespace monocular_eye_hand

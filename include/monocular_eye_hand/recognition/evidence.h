@@ -1,0 +1,93 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "monocular_eye_hand/features/features.h"
+
+namespace monocular_eye_hand {
+
+/// The part of the rectified image plane that is looked at: pixel (u, v) lies at (u - u0, v - v0) of the
+/// maps. With a distorting lens it is larger than the image, and `valid` marks what the image covers.
+struct RectDomain {
+  int u0 = 0, v0 = 0, width = 0, height = 0;
+  cv::Mat valid;  ///< CV_8UC1, 255 where the image covers the pixel; empty: everywhere
+
+  bool contains(double u, double v) const {
+    const int x = int(std::lround(u)) - u0, y = int(std::lround(v)) - v0;
+    return x >= 0 && y >= 0 && x < width && y < height && (valid.empty() || valid.at<uint8_t>(y, x) != 0);
+  }
+};
+RectDomain rectDomain(const Camera& camera);
+
+/// The grey image on the domain: the image itself without distortion, resampled (bilinear) with it.
+cv::Mat rectifiedGrey(const cv::Mat& grey, const Camera& camera, const RectDomain& domain);
+
+/// Number of orientation bins over [0, pi). An edge point counts for the two bins nearest its direction.
+constexpr int kOrientationBins = 12;
+
+/// Bin nearest to the direction of (du, dv); directions pi apart are the same.
+inline int orientationBin(float du, float dv) {
+  // atan by a cubic on [-1, 1], good to 0.3 degrees, then rounded to 15 degree bins.
+  const float ax = std::fabs(du), ay = std::fabs(dv);
+  const bool steep = ay > ax;
+  const float t = steep ? ax / (ay + 1e-20f) : ay / (ax + 1e-20f);
+  float a = t * (0.9724f - 0.1919f * t * t);     // 0 .. pi/4
+  if (steep) a = 1.5707963f - a;                 // 0 .. pi/2
+  if ((du < 0) != (dv < 0)) a = 3.1415926f - a;  // 0 .. pi
+  const int bin = int(a * (kOrientationBins / 3.1415926f) + 0.5f);
+  return bin >= kOrientationBins ? bin - kOrientationBins : bin;
+}
+
+/// Fixed-point log-likelihood ratio: units per nat.
+constexpr float kEvidenceUnit = 16.0f;
+/// Value of map pixels outside the image.
+constexpr int8_t kOutside = -128;
+
+/// What a contour sample at a pixel with a direction says for (> 0) or against (< 0) an object there:
+/// log p(distance to the nearest edge of that direction | object) / p(... | background here), the background
+/// measured in a window around the pixel. One look-up per sample.
+class EvidenceMap {
+ public:
+  EvidenceMap(const FeatureSet& features, const RectDomain& domain);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int u0() const { return u0_; }
+  int v0() const { return v0_; }
+  /// Evidence in units (kEvidenceUnit per nat); kOutside beyond the image. x, y: map pixels.
+  int8_t at(int bin, int x, int y) const {
+    if (unsigned(x) >= unsigned(width_) || unsigned(y) >= unsigned(height_)) return kOutside;
+    return full_[(size_t(bin) * height_ + y) * width_ + x];
+  }
+  /// Half-resolution maps, bin after bin: index (bin * halfHeight + y) * halfWidth + x.
+  const int8_t* half() const { return half_.data(); }
+  int halfWidth() const { return half_width_; }
+  int halfHeight() const { return half_height_; }
+
+ private:
+  int u0_, v0_, width_, height_, half_width_, half_height_;
+  std::vector<int8_t> full_, half_;
+};
+
+/// Finds the edge point that a predicted contour sample most likely produced.
+class EdgeRaster {
+ public:
+  EdgeRaster(const FeatureSet& features, const RectDomain& domain);
+
+  /// Walks from `uv` along +/- `normal` (unit) up to `range` px; of the edge points whose direction agrees
+  /// within about 25 degrees the one with the best mix of strength and nearness, or -1.
+  int find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, double range) const;
+  const EdgePoint& point(int index) const { return (*points_)[index]; }
+  /// Index of an edge point in this pixel (map of one entry per pixel, thickened so that walks cannot slip
+  /// through), or -1.
+  int indexAt(double u, double v) const;
+
+ private:
+  const std::vector<EdgePoint>* points_;
+  int u0_, v0_, width_, height_;
+  std::vector<int32_t> index_;
+};
+
+}  // namespace monocular_eye_hand

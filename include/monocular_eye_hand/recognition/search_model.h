@@ -1,0 +1,91 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "monocular_eye_hand/grouping/grouping.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/recognition/evidence.h"
+
+namespace monocular_eye_hand {
+
+/// One contour sample of a sampled view, in single precision.
+struct ViewSample {
+  Eigen::Vector3f p, tangent;  ///< object frame; tangent unit
+  int group = 0;
+};
+
+/// A model edge seen in one view, as the ruler of a flat template: once its two ends are laid on an image
+/// segment, every other contour sample has its place. Offsets are complex multiples of the ruler (x along it,
+/// y across).
+struct Anchor {
+  static constexpr int kSamples = 16;
+  std::array<float, kSamples> x, y;
+  std::array<uint8_t, kSamples> angle;  ///< sample direction relative to the ruler, 256 = pi
+  Eigen::Vector2f a, b;  ///< the ruler's ends in the view: metres at the distance of the object's centre
+  float centre_x = 0, centre_y = 0;  ///< the object's centre, in multiples of the ruler
+  float length = 0;                  ///< |b - a|
+  float contour = 0;                 ///< length of the whole visible contour in the same unit
+  int view = 0;                      ///< ViewSphere::views
+};
+
+/// The anchors of one eye distance, ascending by length.
+struct AnchorLevel {
+  double min_ratio = 0, max_ratio = 0;  ///< eye distances in diameters for which this level stands
+  std::vector<Anchor> anchors;
+};
+
+/// A known object prepared for search.
+class SearchModel {
+ public:
+  explicit SearchModel(const KnownObject& object);
+
+  const KnownObject& object() const { return *object_; }
+  const ObjectModel& model() const { return object_->model; }
+  const std::vector<AnchorLevel>& levels() const { return levels_; }
+  const std::vector<ModelGrouping>& groupings() const { return groupings_; }
+  /// Contour samples of a view, ordered so that every prefix is spread over the whole contour.
+  const std::vector<ViewSample>& samples(int view) const { return samples_[view]; }
+  /// Distance between neighbouring samples of a view [m].
+  float sampleStep(int view) const { return steps_[view]; }
+  /// Camera orientation of a view's flat template: rows are the camera's axes in the object frame.
+  const Eigen::Matrix3d& viewRotation(int view) const { return view_rotation_[view]; }
+
+  /// Of all poses that the symmetry group makes equal, the one whose eye lies in the sampled part of the view
+  /// sphere; *view is the sampled view nearest to it.
+  Rigid3 canonical(const Rigid3& camera_from_object, int* view) const;
+
+  /// Largest image distance [px] between the model's extent points under two poses, modulo the symmetry
+  /// group.
+  double poseDistance(const Camera& camera, const Rigid3& a, const Rigid3& b) const;
+
+ private:
+  void buildLookup();
+  void buildAnchors();
+
+  const KnownObject* object_;
+  std::vector<ModelGrouping> groupings_;
+  std::vector<std::vector<ViewSample>> samples_;
+  std::vector<float> steps_;
+  std::vector<Eigen::Matrix3d> view_rotation_;
+  std::vector<AnchorLevel> levels_;
+  struct Nearest {
+    int16_t direction = 0;
+    int16_t symmetry = 0;
+  };
+  std::vector<Nearest> lookup_;  ///< cube map of eye directions
+  std::vector<Eigen::Vector3d> extent_;
+};
+
+/// Coarse plausibility of a pose: evidence summed along the contour of the nearest sampled view.
+struct CoarseScore {
+  float evidence = 0;  ///< nats, one independent sample per 5 px of contour
+  float in_frame = 0;  ///< share of the contour inside the image
+};
+/// `pose` must be canonical with this view. Stops early and returns a very low score when the first quarter
+/// or half of the samples is hopeless.
+CoarseScore scorePose(const SearchModel& model, int view, const Rigid3& pose, const Camera& camera,
+                      const EvidenceMap& map);
+
+}  // namespace monocular_eye_hand

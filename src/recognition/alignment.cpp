@@ -1,0 +1,123 @@
+#include "monocular_eye_hand/recognition/alignment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "monocular_eye_hand/model/contour.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kCoarseRanges[] = {10, 8, 6, 4, 3};  // association range per round [px]
+constexpr int kCoarseSamples = 48;
+constexpr size_t kMinMatches = 8;
+// Model tolerances and lens residuals: no edge is trusted better than this [px].
+constexpr double kMinSigma = 0.3;
+
+FreeAxis freeAxis(const ObjectModel& model) {
+  FreeAxis axis;
+  if (model.symmetries.axis) {
+    axis.present = true;
+    axis.point = model.symmetries.axis->point;
+    axis.direction = model.symmetries.axis->direction;
+  }
+  return axis;
+}
+
+bool plausibleStep(const RefinedPose& refined) {
+  return refined.well_posed && refined.camera_from_object.isFinite() &&
+         refined.camera_from_object.translation.z() > 0;
+}
+
+}  // namespace
+
+std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& pose, const Camera& camera,
+                                       const RectDomain& domain, double step) {
+  const Rigid3 object_from_camera = pose.inverse();
+  const double distance = (pose * model.centre()).norm();
+  ContourOptions options;
+  options.step = step * distance / std::sqrt(camera.fx * camera.fy);
+  const std::vector<ContourSample> contour = visibleContour(model, object_from_camera.translation, options);
+  std::vector<SeenSample> seen;
+  seen.reserve(contour.size());
+  for (const ContourSample& s : contour) {
+    const Eigen::Vector3d p = pose * s.p, d = pose.rotation * s.tangent;
+    if (p.z() <= 1e-3) continue;
+    SeenSample out;
+    out.p_in_object = s.p;
+    out.uv = camera.project(p);
+    const Eigen::Vector2d direction(camera.fx * (d.x() - p.x() / p.z() * d.z()),
+                                    camera.fy * (d.y() - p.y() / p.z() * d.z()));
+    const double length = direction.norm();
+    if (!(length > 1e-9)) continue;  // seen end-on
+    out.direction = direction / length;
+    out.group = s.group;
+    out.silhouette = s.silhouette;
+    out.inside = domain.contains(out.uv.x(), out.uv.y());
+    seen.push_back(out);
+  }
+  return seen;
+}
+
+bool alignCoarsely(const SearchModel& model, const Camera& camera, const EdgeRaster& raster, Rigid3* pose,
+                   int* view) {
+  const FreeAxis axis = freeAxis(model.model());
+  std::vector<LineMatch> matches;
+  for (double range : kCoarseRanges) {
+    const std::vector<ViewSample>& samples = model.samples(*view);
+    const size_t count = std::min<size_t>(samples.size(), kCoarseSamples);
+    matches.clear();
+    for (size_t i = 0; i < count; ++i) {
+      const Eigen::Vector3d p_in_object = samples[i].p.cast<double>();
+      const Eigen::Vector3d p = *pose * p_in_object;
+      if (p.z() <= 1e-3) return false;
+      const Eigen::Vector3d d = pose->rotation * samples[i].tangent.cast<double>();
+      Eigen::Vector2d normal(-camera.fy * (d.y() - p.y() / p.z() * d.z()),
+                             camera.fx * (d.x() - p.x() / p.z() * d.z()));
+      const double length = normal.norm();
+      if (!(length > 1e-9)) continue;
+      normal /= length;
+      const int found = raster.find(camera.project(p), normal, range);
+      if (found < 0) continue;
+      matches.push_back({p_in_object, raster.point(found).uv.cast<double>(), normal, range / 3});
+    }
+    if (matches.size() < kMinMatches) return false;
+    RefineOptions options;
+    options.max_iterations = 2;
+    const RefinedPose refined = refinePose(*pose, camera, matches, {}, options, axis);
+    if (!plausibleStep(refined)) return false;
+    *pose = model.canonical(refined.camera_from_object, view);
+  }
+  return true;
+}
+
+RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const RectDomain& domain,
+                        const EdgeRaster& raster, const Rigid3& start, const std::vector<double>& ranges,
+                        double step) {
+  const FreeAxis axis = freeAxis(model.model());
+  RefinedPose best;
+  best.camera_from_object = start;
+  std::vector<LineMatch> matches;
+  for (size_t round = 0; round < ranges.size(); ++round) {
+    const double range = ranges[round];
+    matches.clear();
+    for (const SeenSample& s : projectContour(model.model(), best.camera_from_object, camera, domain, step)) {
+      if (!s.inside) continue;
+      const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
+      const int found = raster.find(s.uv, normal, range);
+      if (found < 0) continue;
+      const EdgePoint& point = raster.point(found);
+      matches.push_back({s.p_in_object, point.uv.cast<double>(), normal,
+                         std::max({kMinSigma, double(point.sigma), range / 3})});
+    }
+    if (matches.size() < kMinMatches) return best;
+    RefineOptions options;
+    options.max_iterations = round + 1 == ranges.size() ? 6 : 3;
+    const RefinedPose refined = refinePose(best.camera_from_object, camera, matches, {}, options, axis);
+    if (!plausibleStep(refined)) return best;
+    best = refined;
+  }
+  return best;
+}
+
+}  // namespace monocular_eye_hand

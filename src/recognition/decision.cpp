@@ -1,0 +1,72 @@
+#include "monocular_eye_hand/recognition/decision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kMaxOverlap = 0.3;  // of the smaller drawing: explanations may not share more faces
+constexpr double kMaxClaimed = 0.5;  // share of edge points already claimed by better explanations
+
+int commonCount(const std::vector<int>& a, const std::vector<int>& b) {
+  int n = 0;
+  for (size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    if (a[i] < b[j])
+      ++i;
+    else if (b[j] < a[i])
+      ++j;
+    else
+      ++n, ++i, ++j;
+  }
+  return n;
+}
+
+bool conflict(const Candidate& chosen, const Candidate& other) {
+  const size_t smaller = std::min(chosen.covered.size(), other.covered.size());
+  if (smaller > 0 && commonCount(chosen.covered, other.covered) > kMaxOverlap * double(smaller)) return true;
+  return !other.claimed.empty() &&
+         commonCount(chosen.claimed, other.claimed) > kMaxClaimed * double(other.claimed.size());
+}
+
+}  // namespace
+
+double probability(const EvidenceTerms& t, const DecisionWeights& w) {
+  const double logit = w.bias + w.log_sum * std::log(std::max(t.sum, 1.0)) + w.mean * t.mean +
+                       w.hit_ratio * t.hit_ratio + w.log_groups * std::log(std::max(t.groups, 1.0)) +
+                       w.unsupported * t.unsupported + w.unsupported_length * t.unsupported_length +
+                       w.continuation * t.continuation + w.interior * t.interior + w.off_face * t.off_face +
+                       w.solidity * t.solidity + w.log_size * std::log(std::max(t.size, 1.0)) +
+                       w.log_contrast * std::log(std::max(t.contrast, 0.1)) + w.in_frame * t.in_frame +
+                       w.rms * t.rms;
+  return 1 / (1 + std::exp(-logit));
+}
+
+double rankScore(const EvidenceTerms& terms) {
+  return terms.sum * (1 - std::min(0.9, 1.5 * terms.off_face + 0.5 * terms.continuation));
+}
+
+std::vector<Explanation> chooseExplanations(const std::vector<Candidate>& candidates) {
+  std::vector<int> order(candidates.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return rankScore(candidates[a].terms) > rankScore(candidates[b].terms);
+  });
+  std::vector<Explanation> chosen;
+  for (int index : order) {
+    Explanation* owner = nullptr;
+    for (Explanation& e : chosen)
+      if (conflict(candidates[e.candidate], candidates[index])) {
+        owner = &e;
+        break;
+      }
+    if (owner)
+      owner->rivals.push_back(index);
+    else
+      chosen.push_back({index, {}});
+  }
+  return chosen;
+}
+
+}  // namespace monocular_eye_hand

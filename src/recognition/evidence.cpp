@@ -1,0 +1,222 @@
+#include "monocular_eye_hand/recognition/evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace monocular_eye_hand {
+namespace {
+
+// Distance classes of the nearest edge point of the right direction: <= 1, <= 2, <= 4, <= 8, more [px].
+constexpr int kClasses = 5;
+// How visible contours of known parts fall into the classes (measured on rendered training scenes).
+constexpr std::array<double, kClasses> kGivenObject{0.66, 0.12, 0.07, 0.05, 0.10};
+constexpr int kBlock = 16;        // side of a statistics block [px]
+constexpr int kWindowBlocks = 2;  // the background window reaches this many blocks to every side
+constexpr double kLocalShare = 0.6;
+
+using Histogram = std::array<float, kClasses>;
+
+cv::Mat distanceClasses(const cv::Mat& edges) {
+  // Nested dilations give the class by counting: 4 = far from every edge, 0 = within a pixel.
+  cv::Mat classes(edges.size(), CV_8U, cv::Scalar(kClasses - 1)), grown = edges, next;
+  for (int radius : {1, 1, 2, 4}) {  // cumulative 1, 2, 4, 8
+    cv::dilate(grown, next, cv::getStructuringElement(cv::MORPH_RECT, {2 * radius + 1, 2 * radius + 1}));
+    cv::subtract(classes, cv::Scalar(1), classes, next);
+    grown = next.clone();
+  }
+  return classes;
+}
+
+std::array<int8_t, kClasses> evidenceTable(const Histogram& background) {
+  std::array<int8_t, kClasses> table;
+  for (int c = 0; c < kClasses; ++c) {
+    const double nats = std::log(kGivenObject[c] / background[c]);
+    table[c] = int8_t(std::clamp(std::lround(nats * kEvidenceUnit), -127L, 127L));
+  }
+  return table;
+}
+
+}  // namespace
+
+RectDomain rectDomain(const Camera& camera) {
+  RectDomain domain;
+  domain.width = camera.width;
+  domain.height = camera.height;
+  if (!camera.distorted()) return domain;
+  // The image's border, rectified; kept within half an image of it, where any calibration is extrapolating.
+  double lo_u = 1e9, lo_v = 1e9, hi_u = -1e9, hi_v = -1e9;
+  const auto include = [&](double u, double v) {
+    const Eigen::Vector2d p = camera.undistort({u, v});
+    if (!p.allFinite()) return;
+    lo_u = std::min(lo_u, p.x()), hi_u = std::max(hi_u, p.x());
+    lo_v = std::min(lo_v, p.y()), hi_v = std::max(hi_v, p.y());
+  };
+  for (int u = 0; u < camera.width; u += 8) include(u, 0), include(u, camera.height - 1);
+  for (int v = 0; v < camera.height; v += 8) include(0, v), include(camera.width - 1, v);
+  include(camera.width - 1, camera.height - 1);
+  const double w = camera.width, h = camera.height;
+  domain.u0 = int(std::floor(std::max(lo_u, -w / 2)));
+  domain.v0 = int(std::floor(std::max(lo_v, -h / 2)));
+  domain.width = int(std::ceil(std::min(hi_u, 1.5 * w))) - domain.u0 + 1;
+  domain.height = int(std::ceil(std::min(hi_v, 1.5 * h))) - domain.v0 + 1;
+  domain.valid.create(domain.height, domain.width, CV_8UC1);
+  for (int y = 0; y < domain.height; ++y)
+    for (int x = 0; x < domain.width; ++x) {
+      const Eigen::Vector2d raw = camera.distort({double(x + domain.u0), double(y + domain.v0)});
+      const bool inside = raw.x() >= 0 && raw.y() >= 0 && raw.x() <= w - 1 && raw.y() <= h - 1;
+      domain.valid.at<uint8_t>(y, x) = inside ? 255 : 0;
+    }
+  return domain;
+}
+
+cv::Mat rectifiedGrey(const cv::Mat& grey, const Camera& camera, const RectDomain& domain) {
+  if (!camera.distorted()) return grey;
+  cv::Mat map_u(domain.height, domain.width, CV_32F), map_v(domain.height, domain.width, CV_32F), out;
+  for (int y = 0; y < domain.height; ++y)
+    for (int x = 0; x < domain.width; ++x) {
+      const Eigen::Vector2d raw = camera.distort({double(x + domain.u0), double(y + domain.v0)});
+      map_u.at<float>(y, x) = float(raw.x());
+      map_v.at<float>(y, x) = float(raw.y());
+    }
+  cv::remap(grey, out, map_u, map_v, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  return out;
+}
+
+EvidenceMap::EvidenceMap(const FeatureSet& features, const RectDomain& domain)
+    : u0_(domain.u0),
+      v0_(domain.v0),
+      width_(domain.width),
+      height_(domain.height),
+      half_width_((domain.width + 1) / 2),
+      half_height_((domain.height + 1) / 2),
+      full_(size_t(kOrientationBins) * width_ * height_),
+      half_(size_t(kOrientationBins) * half_width_ * half_height_) {
+  std::vector<cv::Mat> edges(kOrientationBins);
+  for (cv::Mat& mask : edges) mask = cv::Mat::zeros(height_, width_, CV_8U);
+  for (const EdgePoint& point : features.points) {
+    const int x = int(std::lround(point.uv.x())) - u0_, y = int(std::lround(point.uv.y())) - v0_;
+    if (unsigned(x) >= unsigned(width_) || unsigned(y) >= unsigned(height_)) continue;
+    double angle =
+        std::atan2(point.normal.x(), -point.normal.y());  // of the edge: normal turned by 90 degrees
+    if (angle < 0) angle += M_PI;
+    const int low = int(angle / M_PI * kOrientationBins) % kOrientationBins;
+    edges[low].at<uint8_t>(y, x) = 255;
+    edges[(low + 1) % kOrientationBins].at<uint8_t>(y, x) = 255;
+  }
+
+  const int blocks_x = (width_ + kBlock - 1) / kBlock, blocks_y = (height_ + kBlock - 1) / kBlock;
+  std::vector<Histogram> counts(size_t(blocks_x) * blocks_y);
+  std::vector<std::array<int8_t, kClasses>> tables(counts.size());
+  for (int bin = 0; bin < kOrientationBins; ++bin) {
+    const cv::Mat classes = distanceClasses(edges[bin]);
+    Histogram all{};
+    for (int by = 0; by < blocks_y; ++by)
+      for (int bx = 0; bx < blocks_x; ++bx) {
+        Histogram& h = counts[size_t(by) * blocks_x + bx];
+        h.fill(0);
+        for (int y = by * kBlock; y < std::min(height_, (by + 1) * kBlock); ++y) {
+          const uint8_t* row = classes.ptr<uint8_t>(y);
+          const uint8_t* valid = domain.valid.empty() ? nullptr : domain.valid.ptr<uint8_t>(y);
+          for (int x = bx * kBlock; x < std::min(width_, (bx + 1) * kBlock); ++x)
+            if (!valid || valid[x]) h[row[x]] += 1;
+        }
+        for (int c = 0; c < kClasses; ++c) all[c] += h[c];
+      }
+    float total = 0;
+    for (float n : all) total += n;
+    for (float& n : all) n = (n + 1.0f) / (total + kClasses);
+
+    for (int by = 0; by < blocks_y; ++by)
+      for (int bx = 0; bx < blocks_x; ++bx) {
+        Histogram local{};
+        float n = 0;
+        for (int y = std::max(0, by - kWindowBlocks); y <= std::min(blocks_y - 1, by + kWindowBlocks); ++y)
+          for (int x = std::max(0, bx - kWindowBlocks); x <= std::min(blocks_x - 1, bx + kWindowBlocks); ++x)
+            for (int c = 0; c < kClasses; ++c) {
+              local[c] += counts[size_t(y) * blocks_x + x][c];
+              n += counts[size_t(y) * blocks_x + x][c];
+            }
+        for (int c = 0; c < kClasses; ++c) {
+          const float here = n > 0 ? local[c] / n : all[c];
+          // Half a percent is kept for every class: an empty neighbourhood must not make one edge decisive.
+          local[c] = float(kLocalShare) * here + float(1 - kLocalShare) * all[c];
+          local[c] = 0.975f * local[c] + 0.005f;
+        }
+        tables[size_t(by) * blocks_x + bx] = evidenceTable(local);
+      }
+
+    int8_t* out = &full_[size_t(bin) * width_ * height_];
+    for (int y = 0; y < height_; ++y) {
+      const uint8_t* row = classes.ptr<uint8_t>(y);
+      const auto* table = &tables[size_t(y / kBlock) * blocks_x];
+      for (int x = 0; x < width_; ++x) out[size_t(y) * width_ + x] = table[x / kBlock][row[x]];
+      if (!domain.valid.empty()) {
+        const uint8_t* valid = domain.valid.ptr<uint8_t>(y);
+        for (int x = 0; x < width_; ++x)
+          if (!valid[x]) out[size_t(y) * width_ + x] = kOutside;
+      }
+    }
+    int8_t* half = &half_[size_t(bin) * half_width_ * half_height_];
+    for (int y = 0; y < half_height_; ++y)
+      for (int x = 0; x < half_width_; ++x)
+        half[size_t(y) * half_width_ + x] = out[size_t(2 * y) * width_ + 2 * x];
+  }
+}
+
+EdgeRaster::EdgeRaster(const FeatureSet& features, const RectDomain& domain)
+    : points_(&features.points),
+      u0_(domain.u0),
+      v0_(domain.v0),
+      width_(domain.width),
+      height_(domain.height),
+      index_(size_t(domain.width) * domain.height, -1) {
+  const auto put = [&](int x, int y, int index, bool own) {
+    if (unsigned(x) >= unsigned(width_) || unsigned(y) >= unsigned(height_)) return;
+    int32_t& cell = index_[size_t(y) * width_ + x];
+    if (cell < 0 || own) cell = index;
+  };
+  const auto& points = features.points;
+  for (int pass = 0; pass < 2; ++pass)  // thickening first, so that a point's own pixel wins
+    for (size_t i = 0; i < points.size(); ++i) {
+      const int x = int(std::lround(points[i].uv.x())) - u0_, y = int(std::lround(points[i].uv.y())) - v0_;
+      if (pass == 0) {
+        put(x + 1, y, int(i), false);
+        put(x, y + 1, int(i), false);
+      } else {
+        put(x, y, int(i), true);
+      }
+    }
+}
+
+int EdgeRaster::indexAt(double u, double v) const {
+  const int x = int(std::lround(u)) - u0_, y = int(std::lround(v)) - v0_;
+  if (unsigned(x) >= unsigned(width_) || unsigned(y) >= unsigned(height_)) return -1;
+  return index_[size_t(y) * width_ + x];
+}
+
+int EdgeRaster::find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, double range) const {
+  const float nx = float(normal.x()), ny = float(normal.y());
+  const float x0 = float(uv.x()) - u0_ + 0.5f, y0 = float(uv.y()) - v0_ + 0.5f;
+  const int steps = int(range + 0.5);
+  int best = -1, last = -1;
+  float best_score = 0;
+  const float inverse_range = 1.0f / float(range + 1.0);
+  for (int k = -steps; k <= steps; ++k) {
+    const float fx = x0 + nx * float(k), fy = y0 + ny * float(k);
+    if (!(fx >= 0 && fy >= 0 && fx < float(width_) && fy < float(height_))) continue;
+    const int index = index_[size_t(int(fy)) * width_ + int(fx)];
+    if (index < 0 || index == last) continue;
+    last = index;
+    const EdgePoint& p = (*points_)[index];
+    const float along = std::fabs(p.normal.x() * nx + p.normal.y() * ny);
+    if (along < 0.906f) continue;
+    const float d = ((p.uv.x() - float(uv.x())) * nx + (p.uv.y() - float(uv.y())) * ny) * inverse_range;
+    const float score = p.gradient * along * (1.05f - d * d);
+    if (score > best_score) best_score = score, best = index;
+  }
+  return best;
+}
+
+}  // namespace monocular_eye_hand

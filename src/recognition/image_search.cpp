@@ -1,0 +1,260 @@
+#include "monocular_eye_hand/recognition/image_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/recognition/alignment.h"
+#include "monocular_eye_hand/recognition/reporting.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+const std::vector<double> kFineRanges{6.0, 4.0, 2.5, 1.5};  // [px]
+constexpr double kSamePose = 4.0;                           // poses this near in the image are one [px]
+constexpr float kMinAligned = 6.0f;                         // nats after coarse alignment
+constexpr double kExplainedShare = 0.7;                     // of a segment's points claimed: it is explained
+constexpr double kSurelyRight = 0.9;  // only such objects explain features away during the search
+
+double gradientNoise(const FeatureSet& features) {
+  if (features.points.empty()) return 1;
+  std::vector<float> g;
+  g.reserve(features.points.size());
+  for (const EdgePoint& p : features.points) g.push_back(p.gradient);
+  std::nth_element(g.begin(), g.begin() + g.size() / 10, g.end());
+  return g[g.size() / 10];
+}
+
+struct Aligned {
+  Hypothesis hypothesis;
+  Eigen::Vector2d centre;
+};
+
+}  // namespace
+
+ImageSearch::ImageSearch(const ModelBase& base, const std::vector<SearchModel>& models,
+                         const RecognitionOptions& options, const cv::Mat& grey, const Camera& camera,
+                         int only)
+    : base_(base),
+      models_(models),
+      options_(options),
+      image_(grey),
+      full_camera_(camera),
+      only_(only),
+      start_(std::chrono::steady_clock::now()) {
+  if (grey.empty()) throw BadInput("the image is empty");
+  if (grey.type() != CV_8UC1) throw BadInput("the image must be 8-bit grey (CV_8UC1)");
+  if (grey.cols != camera.width || grey.rows != camera.height)
+    throw BadInput("the image is " + std::to_string(grey.cols) + " x " + std::to_string(grey.rows) +
+                   " but the camera is calibrated for " + std::to_string(camera.width) + " x " +
+                   std::to_string(camera.height));
+  double scale = 1;
+  while (camera.width * scale > options.search_width) scale /= 2;
+  camera_ = scale == 1 ? camera : camera.resized(scale);
+  if (scale == 1)
+    grey_ = grey;
+  else
+    cv::resize(grey, grey_, {camera_.width, camera_.height}, 0, 0, cv::INTER_AREA);
+  budget_.limit = options.budget;
+}
+
+bool ImageSearch::outOfTime() const {
+  if (options_.time_limit <= 0) return false;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >
+         options_.time_limit;
+}
+
+void ImageSearch::timed(const char* stage, const std::function<void(StageReport*)>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  StageReport report;
+  report.name = stage;
+  work(&report);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result_.stages.push_back(report);
+}
+
+void ImageSearch::lookAtImage() {
+  timed("features", [&](StageReport* report) {
+    result_.features = detectFeatures(grey_, camera_, options_.features);
+    report->counts = {{"edge points", double(result_.features.points.size())},
+                      {"traces", double(result_.features.traces.size())},
+                      {"segments", double(result_.features.segments.size())},
+                      {"ellipses", double(result_.features.ellipses.size())}};
+  });
+  timed("grouping", [&](StageReport* report) {
+    result_.groupings = groupFeatures(result_.features, base_, options_.grouping);
+    for (const Grouping& g : result_.groupings) ++report->counts[name(g.kind)];
+  });
+  timed("evidence map", [&](StageReport*) {
+    domain_ = rectDomain(camera_);
+    rect_grey_ = rectifiedGrey(grey_, camera_, domain_);
+    map_ = std::make_unique<EvidenceMap>(result_.features, domain_);
+    raster_ = std::make_unique<EdgeRaster>(result_.features, domain_);
+  });
+}
+
+void ImageSearch::searchGroupings() {
+  const SearchContext context{camera_, result_.features, result_.groupings, *map_, options_};
+  for (size_t i = 0; i < models_.size(); ++i) {
+    if (!wanted(int(i)) || outOfTime()) continue;
+    timed("hypotheses from groupings", [&](StageReport* report) {
+      const long long before = budget_.scored;
+      hypothesesFromPoints(context, int(i), models_[i], &pools_[i], &budget_);
+      hypothesesFromEllipses(context, int(i), models_[i], &pools_[i], &budget_);
+      report->counts["scored"] = double(budget_.scored - before);
+    });
+    judgeHypotheses(int(i), options_.refined_per_object / 2);
+  }
+}
+
+void ImageSearch::searchEdges() {
+  const SearchContext context{camera_, result_.features, result_.groupings, *map_, options_};
+  const std::vector<char> usable = unexplainedSegments();
+  for (size_t i = 0; i < models_.size(); ++i) {
+    if (!wanted(int(i)) || outOfTime()) continue;
+    timed("hypotheses from edges", [&](StageReport* report) {
+      const long long before = budget_.scored;
+      hypothesesFromEdges(context, models_[i], usable, &pools_[i], &budget_);
+      report->counts["scored"] = double(budget_.scored - before);
+    });
+    judgeHypotheses(int(i), options_.refined_per_object);
+  }
+}
+
+void ImageSearch::judgeHypotheses(int object, int count) {
+  const SearchModel& model = models_[object];
+  std::vector<Aligned> aligned;
+  timed("coarse alignment", [&](StageReport* report) {
+    const std::vector<Hypothesis> hypotheses = pools_[object].best(count);
+    for (Hypothesis h : hypotheses) {
+      if (!alignCoarsely(model, camera_, *raster_, &h.camera_from_object, &h.view)) continue;
+      const CoarseScore score = scorePose(model, h.view, h.camera_from_object, camera_, *map_);
+      if (score.evidence < kMinAligned || score.in_frame < options_.min_in_frame) continue;
+      h.evidence = score.evidence;
+      aligned.push_back({h, camera_.project(h.camera_from_object * model.model().centre())});
+    }
+    std::stable_sort(aligned.begin(), aligned.end(), [](const Aligned& a, const Aligned& b) {
+      return a.hypothesis.evidence > b.hypothesis.evidence;
+    });
+    report->counts = {{"hypotheses", double(hypotheses.size())}, {"aligned", double(aligned.size())}};
+  });
+  timed("verification", [&](StageReport* report) {
+    const VerificationContext context{
+        camera_, domain_, result_.features, *map_, *raster_, rect_grey_, gradientNoise(result_.features)};
+    std::vector<const Aligned*> kept;
+    for (const Aligned& a : aligned) {
+      if (int(kept.size()) >= options_.verified_per_object) break;
+      const auto same = [&](const Aligned* k) {
+        return (k->centre - a.centre).norm() < 2 * kSamePose &&
+               model.poseDistance(camera_, k->hypothesis.camera_from_object,
+                                  a.hypothesis.camera_from_object) < kSamePose;
+      };
+      if (std::any_of(kept.begin(), kept.end(), same)) continue;
+      kept.push_back(&a);
+    }
+    int judged = 0;
+    for (const Aligned* a : kept) {
+      const auto known = [&](const Candidate& c, double limit) {
+        return c.object == object && model.poseDistance(camera_, c.pose.camera_from_object,
+                                                        a->hypothesis.camera_from_object) < limit;
+      };
+      if (std::any_of(candidates_.begin(), candidates_.end(),
+                      [&](const Candidate& c) { return known(c, 2.0); }))
+        continue;
+      Candidate candidate;
+      candidate.object = object;
+      candidate.kind = a->hypothesis.kind;
+      candidate.pose =
+          alignFinely(model, camera_, domain_, *raster_, a->hypothesis.camera_from_object, kFineRanges, 4.0);
+      if (!candidate.pose.well_posed) continue;
+      candidate.pose.camera_from_object = model.canonical(candidate.pose.camera_from_object, &candidate.view);
+      const Eigen::Vector3d centre = candidate.pose.camera_from_object * model.model().centre();
+      if (centre.norm() < options_.min_distance || centre.norm() > options_.max_distance) continue;
+      const auto sameAs = [&](const Candidate& c) {
+        return c.object == object && model.poseDistance(camera_, c.pose.camera_from_object,
+                                                        candidate.pose.camera_from_object) < 1.5;
+      };
+      if (std::any_of(candidates_.begin(), candidates_.end(), sameAs)) continue;
+      verify(model, context, &candidate);
+      ++judged;
+      if (candidate.terms.in_frame < options_.min_in_frame || candidate.terms.sum < kMinAligned) continue;
+      candidate.probability = probability(candidate.terms, options_.decision);
+      candidates_.push_back(std::move(candidate));
+    }
+    report->counts = {{"verified", double(judged)}};
+  });
+}
+
+std::vector<char> ImageSearch::unexplainedSegments() const {
+  std::vector<char> claimed(result_.features.points.size(), 0);
+  for (const Explanation& e : chooseExplanations(candidates_)) {
+    const Candidate& c = candidates_[e.candidate];
+    if (c.probability < kSurelyRight) continue;
+    for (int p : c.claimed) claimed[p] = 1;
+  }
+  // A contour sample answers for the points up to half a step to either side of it.
+  std::vector<char> spread = claimed;
+  for (const EdgeTrace& trace : result_.features.traces)
+    for (int i = trace.first; i < trace.first + trace.count; ++i)
+      if (claimed[i])
+        for (int k = std::max(trace.first, i - 3); k <= std::min(trace.first + trace.count - 1, i + 3); ++k)
+          spread[k] = 1;
+  std::vector<char> usable;
+  for (const LineSegment& segment : result_.features.segments) {
+    int explained = 0;
+    for (int i = segment.first; i < segment.first + segment.count; ++i) explained += spread[i];
+    usable.push_back(explained < kExplainedShare * segment.count);
+  }
+  return usable;
+}
+
+bool ImageSearch::found() const {
+  for (const Explanation& e : chooseExplanations(candidates_))
+    if (candidates_[e.candidate].probability >= options_.accept_probability) return true;
+  return false;
+}
+
+RecognitionResult ImageSearch::run(const std::vector<RecognizedObject>& previous) {
+  lookAtImage();
+  for (const SearchModel& model : models_) pools_.emplace_back(camera_, model, options_);
+  searchGroupings();
+  if (only_ < 0 || !found()) searchEdges();
+  result_.truncated = outOfTime();
+
+  timed("decision", [&](StageReport* report) {
+    for (const Explanation& e : chooseExplanations(candidates_)) {
+      RecognizedObject object =
+          reportObject(models_, candidates_, e, options_, camera_, result_.groupings, result_.features);
+      for (const RecognizedObject& old : previous)
+        if (old.object == object.object &&
+            (old.camera_from_object.translation - object.camera_from_object.translation).norm() <
+                models_[object.object].model().diameter) {
+          object.camera_from_object = nearestEqualPose(models_[object.object].model(),
+                                                       object.camera_from_object, old.camera_from_object);
+          break;
+        }
+      (object.decision == Decision::kRejected ? result_.rejected : result_.objects)
+          .push_back(std::move(object));
+    }
+    const auto likelier = [](const RecognizedObject& a, const RecognizedObject& b) {
+      return a.probability > b.probability;
+    };
+    std::stable_sort(result_.objects.begin(), result_.objects.end(), likelier);
+    std::stable_sort(result_.rejected.begin(), result_.rejected.end(), likelier);
+    report->counts = {{"found", double(result_.objects.size())},
+                      {"rejected", double(result_.rejected.size())}};
+  });
+  if (result_.objects.empty()) {
+    if (result_.features.segments.empty() && result_.features.ellipses.empty())
+      result_.reason = "no straight edge and no ellipse in the image: too dark, blurred or empty";
+    else if (candidates_.empty())
+      result_.reason = "no pose of a known object agrees with the edges of the image";
+    else if (!result_.rejected.empty())
+      result_.reason =
+          "best candidate is " + result_.rejected.front().name + ": " + result_.rejected.front().reason;
+  }
+  return std::move(result_);
+}
+
+}  // namespace monocular_eye_hand
