@@ -11,7 +11,7 @@ namespace monocular_eye_hand {
 /// Defaults stand here and nowhere else.
 struct RenderOptions {
   int samples = 2;       ///< stratified samples per pixel along each axis (2: four per pixel)
-  int edge_samples = 5;  ///< the same where samples or neighbours differ; >= samples
+  int edge_samples = 4;  ///< the same where samples or neighbours differ; >= samples
   bool shadows = true;
   bool ambient_occlusion =
       false;  ///< darkens the ambient light near contacts; needs samples >= 5 to look smooth

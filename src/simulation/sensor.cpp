@@ -1,0 +1,35 @@
+#include "sensor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "random.h"
+
+namespace monocular_eye_hand {
+
+cv::Mat sensorImage(const cv::Mat1f& radiance, const RenderOptions& options, double* exposure) {
+  cv::Mat1f light = radiance;
+  if (options.blur_sigma > 0) {
+    cv::Mat1f blurred;
+    const int radius = std::max(1, int(std::ceil(4 * options.blur_sigma)));
+    cv::GaussianBlur(radiance, blurred, cv::Size(2 * radius + 1, 2 * radius + 1), options.blur_sigma,
+                     options.blur_sigma, cv::BORDER_REPLICATE);
+    light = blurred;
+  }
+  const double mean = cv::mean(light)[0];
+  *exposure = options.exposure > 0 ? options.exposure : mean > 0 ? options.mean / mean : 1.0;
+  cv::Mat grey(light.rows, light.cols, CV_8UC1);
+  Generator random(options.seed ^ 0xa5a5u);
+  for (int y = 0; y < grey.rows; ++y)
+    for (int x = 0; x < grey.cols; ++x) {
+      const double linear = std::clamp(*exposure * light(y, x), 0.0, 1.0);
+      const double value = 255 * (options.gamma == 1 ? linear : std::pow(linear, 1 / options.gamma));
+      const double variance = options.noise_sigma * options.noise_sigma + options.shot_noise * value;
+      const double noise = variance > 0 ? std::sqrt(variance) * random.gaussian() : 0;
+      grey.at<uchar>(y, x) = cv::saturate_cast<uchar>(std::lround(value + noise));
+    }
+  return grey;
+}
+
+}  // namespace monocular_eye_hand

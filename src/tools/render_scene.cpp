@@ -1,0 +1,113 @@
+// Renders scenes with known truth: the pictures that ship with the package, or random ones.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <opencv2/imgcodecs.hpp>
+
+#include "demo_scenes.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/simulation/random_scene.h"
+#include "monocular_eye_hand/simulation/truth.h"
+
+namespace meh = monocular_eye_hand;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Arguments {
+  std::string objects, out, set = "demo", level = "easy", camera;
+  unsigned seed = 1;
+  int count = 1, samples = 6;
+};
+
+meh::Camera defaultCamera() { return {640, 480, 700, 700, 319.5, 239.5, meh::DistortionModel::kNone, {}}; }
+
+// A short lens as industrial cameras have it: straight lines bend by some 20 px at the border.
+meh::Camera wideAngleCamera() {
+  return {
+      640, 480, 620, 621, 322.7, 236.4, meh::DistortionModel::kPlumbBob, {-0.28, 0.08, 0.001, -0.0005, 0}};
+}
+
+meh::SceneLevel levelOf(const std::string& name) {
+  if (name == "easy") return meh::SceneLevel::kEasy;
+  return name == "medium" ? meh::SceneLevel::kMedium : meh::SceneLevel::kHard;
+}
+
+std::vector<meh::NamedMesh> readMeshes(const std::string& objects) {
+  std::vector<meh::NamedMesh> meshes;
+  for (const meh::ObjectEntry& entry : meh::readObjectEntries(objects))
+    meshes.push_back({entry.name, std::make_shared<meh::Mesh>(meh::loadMesh(entry.mesh, entry.unit))});
+  return meshes;
+}
+
+std::vector<meh::DemoScene> chooseScenes(const Arguments& arguments) {
+  const std::vector<meh::NamedMesh> meshes = readMeshes(arguments.objects);
+  if (arguments.set == "demo") return meh::demoScenes(meshes);
+  if (arguments.set == "golden") return meh::goldenScenes(meshes);
+  std::vector<meh::DemoScene> scenes;
+  for (int k = 0; k < arguments.count; ++k) {
+    char name[32];
+    std::snprintf(name, sizeof(name), "%06d", k);
+    scenes.push_back(
+        {name, meh::randomScene(meshes, arguments.seed + unsigned(k), levelOf(arguments.level))});
+  }
+  return scenes;
+}
+
+void renderAll(const Arguments& arguments) {
+  const std::vector<meh::DemoScene> scenes = chooseScenes(arguments);
+  const meh::Camera camera = arguments.camera.empty() ? defaultCamera() : meh::loadCamera(arguments.camera);
+  fs::create_directories(arguments.out);
+  const std::string folder = arguments.out + "/";
+  meh::writeCamera(folder + "camera.yaml", camera);
+  meh::RenderOptions options;
+  options.samples = options.edge_samples = arguments.samples;
+  options.ambient_occlusion = arguments.samples >= 5;
+  options.seed = arguments.seed;
+  for (const meh::DemoScene& demo : scenes) {
+    const meh::Camera& used = demo.distorted ? wideAngleCamera() : camera;
+    if (demo.distorted) meh::writeCamera(folder + "camera_" + demo.file + ".yaml", used);
+    const meh::RenderedImage image = meh::renderScene(demo.scene, used, options);
+    const std::string picture = folder + demo.file + ".png";
+    if (!cv::imwrite(picture, image.grey, {cv::IMWRITE_PNG_COMPRESSION, 9}))
+      throw meh::BadInput(picture + ": cannot be written");
+    const std::vector<meh::TruthObject> truth = meh::truthOf(demo.scene, image);
+    meh::writeTruth(folder + demo.file + ".truth.json", truth);
+    std::cout << picture << ": " << truth.size() << " known objects\n";
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app{"Renders grey images of scenes with known objects, their camera and their truth."};
+  app.add_option("--objects", arguments.objects, "model base (YAML)")->required();
+  app.add_option("--out", arguments.out, "folder for NAME.png, NAME.truth.json and camera.yaml")->required();
+  app.add_option("--set", arguments.set, "demo, golden (the pictures of the package) or random")
+      ->check(CLI::IsMember({"demo", "golden", "random"}))
+      ->capture_default_str();
+  app.add_option("--level", arguments.level, "of random scenes")
+      ->check(CLI::IsMember({"easy", "medium", "hard"}))
+      ->capture_default_str();
+  app.add_option("--count", arguments.count, "random scenes")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--seed", arguments.seed, "of the first random scene and of the noise")
+      ->capture_default_str();
+  app.add_option("--camera", arguments.camera, "calibration YAML (default: 640x480, f = 700 px)");
+  app.add_option("--samples", arguments.samples,
+                 "per pixel along each axis; from 5 on with soft ambient shadows")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    renderAll(arguments);
+    return 0;
+  } catch (const std::exception& e) {
+    std::cerr << "render_scene: " << e.what() << "\n";
+    return 1;
+  }
+}
