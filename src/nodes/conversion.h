@@ -1,0 +1,27 @@
+#pragma once
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/PoseWithCovariance.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <std_msgs/Header.h>
+
+#include <string>
+
+#include "monocular_eye_hand/geometry/rigid3.h"
+#include "monocular_eye_hand/recognition/recognizer.h"
+#include "nodes/messages.h"
+
+namespace monocular_eye_hand {
+
+/// `a_from_b` is the pose of frame b in frame a.
+geometry_msgs::Pose toPose(const Rigid3& a_from_b);
+Rigid3 fromPose(const geometry_msgs::Pose& pose);
+/// Row-major, order x, y, z, rotation about x, y, z: the core's own order.
+geometry_msgs::PoseWithCovariance toPose(const Rigid3& a_from_b, const Matrix6d& covariance);
+/// `header.frame_id` is frame a, `child` frame b.
+geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, const std::string& child,
+                                            const Rigid3& a_from_b);
+/// `models`: for the names of the alternatives.
+RecognizedObjectMsg toMessage(const std_msgs::Header& header, const RecognizedObject& object, int instance,
+                              const ModelBase& models);
+
+}  // namespace monocular_eye_hand

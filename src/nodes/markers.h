@@ -1,0 +1,36 @@
+#pragma once
+#include <std_msgs/Header.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "monocular_eye_hand/recognition/recognizer.h"
+
+namespace monocular_eye_hand {
+
+/// Objects of one image for rviz: the CAD model at its pose (TRIANGLE_LIST; above `most_triangles` its sharp
+/// edges as LINE_LIST) in namespace "<name>" and a line of text in "<name>/label", id = instance. Colour by
+/// object; ambiguous ones are translucent. Markers that a former image had and this one has not are deleted.
+class MarkerBuilder {
+ public:
+  /// `models` must outlive the builder.
+  MarkerBuilder(const ModelBase& models, int most_triangles);
+  /// `only`: the one name that was looked for; markers of other names stay as they are. "": all.
+  visualization_msgs::MarkerArray build(const std_msgs::Header& header,
+                                        const std::vector<RecognizedObject>& objects,
+                                        const std::vector<int>& instances, const std::string& only = "");
+
+ private:
+  using Key = std::pair<std::string, int>;  // name, instance
+  visualization_msgs::Marker shape(const std_msgs::Header& header, const RecognizedObject& object) const;
+  visualization_msgs::Marker label(const std_msgs::Header& header, const RecognizedObject& object,
+                                   int instance) const;
+
+  const ModelBase& models_;
+  int most_triangles_;
+  std::vector<Key> shown_;
+};
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,74 @@
+#include "nodes/outputs.h"
+
+#include <cv_bridge/cv_bridge.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include "monocular_eye_hand/report/result_drawing.h"
+#include "nodes/conversion.h"
+#include "nodes/names.h"
+
+namespace monocular_eye_hand {
+
+Outputs::Outputs(const ModelBase& models, const RecognizerParameters& parameters)
+    : models_(models),
+      frame_prefix_(parameters.frame_prefix),
+      instances_(models, parameters.instances),
+      marker_builder_(models, parameters.marker_triangles),
+      private_node_("~"),
+      transport_(private_node_) {
+  objects_ = private_node_.advertise<RecognizedObjectArray>(names::kObjects, 10);
+  markers_ = private_node_.advertise<visualization_msgs::MarkerArray>(names::kMarkers, 10);
+  overlay_ = transport_.advertise(names::kOverlay, 1);
+}
+
+bool Outputs::wanted() const {
+  return objects_.getNumSubscribers() > 0 || markers_.getNumSubscribers() > 0 ||
+         overlay_.getNumSubscribers() > 0;
+}
+
+std::vector<RecognizedObjectMsg> Outputs::number(const WorkedImage& image) {
+  const std::vector<RecognizedObject>& objects = image.result.objects;
+  const std::vector<int> numbers = instances_.assign(objects, image.header.stamp.toSec());
+  std::vector<RecognizedObjectMsg> messages;
+  for (size_t i = 0; i < objects.size(); ++i)
+    messages.push_back(toMessage(image.header, objects[i], numbers[i], models_));
+  return messages;
+}
+
+std::vector<RecognizedObjectMsg> Outputs::publish(const WorkedImage& image) {
+  const std::vector<RecognizedObject>& objects = image.result.objects;
+  RecognizedObjectArray array;
+  array.header = image.header;
+  array.objects = number(image);
+  if (objects.empty()) array.reason = image.result.reason;
+  array.truncated = image.result.truncated;
+  array.seconds = image.seconds;
+  std::vector<int> numbers;
+  for (const RecognizedObjectMsg& object : array.objects) numbers.push_back(object.instance);
+
+  publishFrames(image.header, objects, numbers);  // before the message that names them
+  objects_.publish(array);
+  if (markers_.getNumSubscribers() > 0)
+    markers_.publish(marker_builder_.build(image.header, objects, numbers, image.only));
+  if (overlay_.getNumSubscribers() > 0) publishOverlay(image, numbers);
+  return array.objects;
+}
+
+void Outputs::publishFrames(const std_msgs::Header& header, const std::vector<RecognizedObject>& objects,
+                            const std::vector<int>& numbers) {
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  for (size_t i = 0; i < objects.size(); ++i)
+    transforms.push_back(toTransform(header, objectFrame(frame_prefix_, objects[i].name, numbers[i]),
+                                     objects[i].camera_from_object));
+  if (!transforms.empty()) broadcaster_.sendTransform(transforms);
+}
+
+void Outputs::publishOverlay(const WorkedImage& image, const std::vector<int>& numbers) {
+  RecognitionResult labelled = image.result;
+  for (size_t i = 0; i < numbers.size(); ++i) labelled.objects[i].name += "_" + std::to_string(numbers[i]);
+  const cv::Mat picture = drawResult(image.grey, image.camera, models_, labelled);
+  overlay_.publish(
+      cv_bridge::CvImage(image.header, sensor_msgs::image_encodings::BGR8, picture).toImageMsg());
+}
+
+}  // namespace monocular_eye_hand

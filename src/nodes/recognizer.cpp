@@ -1,0 +1,32 @@
+#include <ros/ros.h>
+
+#include "monocular_eye_hand/model/model_base.h"
+#include "nodes/parameter_server.h"
+#include "nodes/recognizer_node.h"
+
+namespace meh = monocular_eye_hand;
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "recognizer");
+  ros::NodeHandle node;  // keeps the node up
+  try {
+    meh::RecognizerParameters parameters;
+    // image_transport's plugins keep their settings below the name of the topic they publish.
+    meh::readOptions(meh::privateParameters({"overlay"}), &parameters);
+    ROS_INFO("loading the model base %s (compiled once, then cached)", parameters.objects.c_str());
+    const meh::Recognizer recognizer(meh::loadModelBase(parameters.objects, {}, parameters.cache),
+                                     parameters.recognition);
+    for (const meh::KnownObject& known : recognizer.models().objects)
+      for (const std::string& warning : known.model.warnings)
+        ROS_WARN("%s: %s", known.model.name.c_str(), warning.c_str());
+    const meh::RecognizerNode recognizer_node(recognizer, parameters);
+    ROS_INFO("ready; knows %s", recognizer.models().names().c_str());
+    ros::spin();
+    return 0;
+  } catch (const meh::BadInput& e) {
+    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
+  } catch (const std::exception& e) {
+    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
+  }
+  return 1;
+}

@@ -1,0 +1,51 @@
+#pragma once
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "monocular_eye_hand/recognition/recognizer.h"
+#include "nodes/camera_input.h"
+#include "nodes/diagnostics.h"
+#include "nodes/outputs.h"
+#include "nodes/recognizer_parameters.h"
+#include "nodes/requests.h"
+
+namespace monocular_eye_hand {
+
+/// The node recognizer: images in, recognised objects out. One worker thread takes the newest image whenever
+/// it is free (images that come while it is busy are skipped); service calls wait beside it.
+class RecognizerNode {
+ public:
+  /// `recognizer` must outlive it.
+  RecognizerNode(const Recognizer& recognizer, const RecognizerParameters& parameters);
+  ~RecognizerNode();
+
+ private:
+  void work();
+  void workOn(const CameraFrame& frame, const std::vector<PendingRequestPtr>& requests, bool publish_all);
+  /// Header, grey image and camera of a frame; throws BadImage or BadCameraInfo.
+  WorkedImage prepare(const CameraFrame& frame) const;
+  /// Searches, publishes, and returns the service's reply.
+  Recognize::Response search(WorkedImage image, const std::string& only, bool publish);
+  bool onRecognize(Recognize::Request& request, Recognize::Response& response);
+  std::string noImageText() const;
+
+  const Recognizer& recognizer_;
+  const RecognizerParameters parameters_;
+  Outputs outputs_;
+  CameraInput input_;
+  Diagnostics diagnostics_;
+  Requests requests_;
+  ros::CallbackQueue service_queue_;
+  ros::NodeHandle service_node_;
+  ros::ServiceServer service_;
+  ros::AsyncSpinner service_spinner_;
+  std::atomic<bool> stop_{false};
+  std::thread worker_;
+};
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,31 @@
+#include "nodes/recognizer_parameters.h"
+
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+void requirePositive(const char* field, double value) {
+  if (value > 0) return;
+  std::ostringstream text;
+  text << field << " = " << value << " must be positive";
+  throw BadInput(text.str());
+}
+
+}  // namespace
+
+void RecognizerParameters::check() const {
+  if (objects.empty())
+    throw BadInput(
+        "objects is not set: give the path of the model base, e.g. config/objects.yaml of this package");
+  requirePositive("service_timeout", service_timeout);
+  requirePositive("diagnostic_period", diagnostic_period);
+  if (marker_triangles < 0)
+    throw BadInput("marker_triangles = " + std::to_string(marker_triangles) + " must not be negative");
+  if (image_transport.empty())
+    throw BadInput("image_transport is empty: say raw, or a transport that is installed");
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+
+#include "monocular_eye_hand/recognition/options.h"
+#include "nodes/instances.h"
+
+namespace monocular_eye_hand {
+
+/// Parameters of the node recognizer: the keys of config/recognizer.yaml. Defaults stand here and nowhere
+/// else.
+struct RecognizerParameters {
+  std::string objects;       ///< model base: path of a YAML as config/objects.yaml; required
+  std::string cache;         ///< folder of compiled models; "": the user's cache, "none": no cache
+  bool rectified = false;    ///< subscribe to image_rect (P, no distortion) instead of image_raw (K and D)
+  bool continuous = true;    ///< work on every image; false: only while someone listens or asks
+  std::string frame_prefix;  ///< before the name of every object's tf frame
+  std::string camera_frame;  ///< optical frame of the results; "": the image's header.frame_id
+  std::string image_transport = "raw";  ///< transport of the image subscription
+  double service_timeout = 5.0;         ///< longest wait of ~recognize for an image [s, wall clock]
+  int marker_triangles = 20000;         ///< meshes with more triangles are shown by their sharp edges
+  double diagnostic_period = 1.0;       ///< [s, wall clock]
+  InstanceOptions instances;
+  RecognitionOptions recognition;
+
+  void check() const;  ///< throws BadInput naming field, value and rule
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("objects", objects);
+    v("cache", cache);
+    v("rectified", rectified);
+    v("continuous", continuous);
+    v("frame_prefix", frame_prefix);
+    v("camera_frame", camera_frame);
+    v("image_transport", image_transport);
+    v("service_timeout", service_timeout);
+    v("marker_triangles", marker_triangles);
+    v("diagnostic_period", diagnostic_period);
+    v("instances", instances);
+    v("recognition", recognition);
+  }
+};
+
+}  // namespace monocular_eye_hand
