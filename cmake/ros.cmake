@@ -7,7 +7,8 @@
 #   ros_node(<name> SOURCES <file>... [LINK <target>...])                program <name> of the package
 #   ros_test(<file>.test [DEPENDENCIES <target>...])                      rostest: alone, with its own ROS_HOME
 set(MONOCULAR_EYE_HAND_ROS_PACKAGES  # each after those it requires itself
-  std_msgs geometry_msgs sensor_msgs visualization_msgs roscpp cv_bridge tf2_ros image_transport camera_info_manager)
+  std_msgs geometry_msgs sensor_msgs visualization_msgs roscpp cv_bridge tf2_ros image_transport camera_info_manager
+  diagnostic_updater)
 
 # ROS is installed for the system's python; another one first on the PATH knows none of its modules.
 if(NOT PYTHON_EXECUTABLE AND EXISTS /usr/bin/python3)
@@ -28,9 +29,9 @@ endif()
 
 if(NOT MONOCULAR_EYE_HAND_ROS OR missing)
   if(missing)
-    message(STATUS "monocular_eye_hand: WITHOUT ROS, not found: ${missing}. Rooms and tools are built, messages and nodes are not.")
+    message(STATUS "${PROJECT_NAME}: WITHOUT ROS, not found: ${missing}. Rooms and tools are built, messages and nodes are not.")
   else()
-    message(STATUS "monocular_eye_hand: WITHOUT ROS, as asked. Rooms and tools are built, messages and nodes are not.")
+    message(STATUS "${PROJECT_NAME}: WITHOUT ROS, as asked. Rooms and tools are built, messages and nodes are not.")
   endif()
   set(MONOCULAR_EYE_HAND_WITH_ROS FALSE)
   include(GNUInstallDirs)
@@ -46,9 +47,12 @@ if(NOT MONOCULAR_EYE_HAND_ROS OR missing)
   return()
 endif()
 
-message(STATUS "monocular_eye_hand: with ROS: messages and nodes are built.")
+message(STATUS "${PROJECT_NAME}: with ROS: messages and nodes are built.")
 set(MONOCULAR_EYE_HAND_WITH_ROS TRUE)
 find_package(catkin REQUIRED COMPONENTS message_generation ${MONOCULAR_EYE_HAND_ROS_PACKAGES})
+if(NOT CATKIN_ENABLE_TESTING)
+  set(MONOCULAR_EYE_HAND_TESTS OFF)
+endif()
 add_message_files(FILES PoseAlternative.msg RecognizedObject.msg RecognizedObjectArray.msg)
 add_service_files(FILES Recognize.srv)
 generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs)
@@ -82,7 +86,7 @@ function(ros_node name)
   set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_PROGRAMS ${target})
 endfunction()
 
-if(MONOCULAR_EYE_HAND_TESTS)
+if(CATKIN_ENABLE_TESTING AND MONOCULAR_EYE_HAND_TESTS)
   find_package(rostest REQUIRED)
 endif()
 
