@@ -1,0 +1,213 @@
+#include "monocular_eye_hand/pose/refine.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "pose/normal_equations.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kFreeVariance = M_PI * M_PI / 3;  // of an angle of which nothing is known
+
+bool usable(const Rigid3& start, const Camera& camera, const std::vector<LineMatch>& lines,
+            const std::vector<PointMatch>& points, const FreeAxis& axis) {
+  double sum = camera.fx + camera.fy + camera.cx + camera.cy;  // not finite as soon as one term is not
+  bool positive = true;
+  for (const LineMatch& m : lines) {
+    sum += m.p_in_object.sum() + m.uv.sum() + m.normal.sum() + m.sigma;
+    positive &= m.sigma > 0;
+  }
+  for (const PointMatch& m : points) {
+    sum += m.p_in_object.sum() + m.uv.sum() + m.sigma;
+    positive &= m.sigma > 0;
+  }
+  if (axis.present) {
+    sum += axis.point.sum() + axis.direction.sum();
+    positive &= axis.direction.squaredNorm() > 0;
+  }
+  return start.isFinite() && std::isfinite(sum) && positive && (!lines.empty() || !points.empty());
+}
+
+/// The step's six coordinates: along the axes, or, with a free axis, the last one along the rotation that is
+/// held.
+struct Coordinates {
+  Eigen::Matrix3d rotation_axes = Eigen::Matrix3d::Identity();  // columns; the free one last
+  bool held = false;
+
+  Coordinates(const Rigid3& pose, const FreeAxis& axis) : held(axis.present) {
+    if (!held) return;
+    const Eigen::Vector3d free = (pose.rotation * axis.direction).normalized();
+    rotation_axes.col(2) = free;
+    rotation_axes.col(0) = free.unitOrthogonal();
+    rotation_axes.col(1) = free.cross(rotation_axes.col(0));
+  }
+  void turn(Matrix6d* h, Vector6d* g) const {
+    if (!held) return;
+    h->rightCols<3>() = (h->rightCols<3>() * rotation_axes).eval();
+    h->bottomRows<3>() = (rotation_axes.transpose() * h->bottomRows<3>()).eval();
+    g->tail<3>() = (rotation_axes.transpose() * g->tail<3>()).eval();
+    h->row(5).setZero();
+    h->col(5).setZero();
+    (*h)(5, 5) = 1;
+    (*g)[5] = 0;
+  }
+  Vector6d back(const Vector6d& step) const {
+    if (!held) return step;
+    Vector6d d = step;
+    d.tail<3>() = rotation_axes * step.tail<3>();
+    return d;
+  }
+};
+
+/// (h + lambda diag h) x = -g; false when not positive definite.
+bool dampedStep(const Matrix6d& h, const Vector6d& g, double lambda, Vector6d* step) {
+  Matrix6d damped = h;
+  const double floor = 1e-14 * h.diagonal().maxCoeff();
+  for (int i = 0; i < 6; ++i) damped(i, i) += lambda * h(i, i) + floor;
+  const Eigen::LLT<Matrix6d> llt(damped);
+  if (llt.info() != Eigen::Success) return false;
+  *step = -llt.solve(g);
+  return step->allFinite();
+}
+
+/// Full rank, judged on the matrix with unit diagonal.
+bool fullRank(const Matrix6d& h) {
+  const Vector6d d = h.diagonal();
+  if (!(d.minCoeff() > 0) || !h.allFinite()) return false;
+  const Vector6d s = d.cwiseSqrt().cwiseInverse();
+  const Eigen::LDLT<Matrix6d> ldlt(s.asDiagonal() * h * s.asDiagonal());
+  return ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 1e-10;
+}
+
+void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* result) {
+  const Rigid3& pose = result->camera_from_object;
+  Matrix6d h = at.hessian;
+  Vector6d unused = Vector6d::Zero();
+  const Coordinates coordinates(pose, axis);
+  coordinates.turn(&h, &unused);
+  const int unknowns = axis.present ? 5 : 6;
+  result->well_posed = fullRank(h);
+  const double variance = at.variance(unknowns);
+  if (variance > 0) h /= variance;
+  if (!result->well_posed)
+    for (int i = 0; i < 6; ++i) h(i, i) += i < 3 ? 1.0 : 1 / kFreeVariance;
+  if (axis.present) h(5, 5) = 1;
+  Matrix6d inverse = Eigen::LDLT<Matrix6d>(h).solve(Matrix6d::Identity());
+  if (variance == 0 && result->well_posed) inverse.setZero();  // exact matches
+  if (axis.present) {
+    inverse.row(5).setZero();
+    inverse.col(5).setZero();
+    inverse.rightCols<3>() = (inverse.rightCols<3>() * coordinates.rotation_axes.transpose()).eval();
+    inverse.bottomRows<3>() = (coordinates.rotation_axes * inverse.bottomRows<3>()).eval();
+    Vector6d spin;
+    const Eigen::Vector3d free = coordinates.rotation_axes.col(2);
+    spin << (pose.rotation * axis.point).cross(free), free;  // perturbed() moves about the object's origin
+    inverse += kFreeVariance * spin * spin.transpose();
+  }
+  if (inverse.allFinite())
+    result->covariance = 0.5 * (inverse + inverse.transpose());
+  else
+    result->well_posed = false;
+}
+
+}  // namespace
+
+void RefineOptions::check() const {
+  const auto refuse = [](const char* field, double value, const char* rule) {
+    std::ostringstream text;
+    text << "refine: " << field << " = " << value << " must be " << rule;
+    throw BadInput(text.str());
+  };
+  if (max_iterations < 1 || max_iterations > 10000) refuse("max_iterations", max_iterations, "in 1..10000");
+  if (!(robust_scale == 0 || robust_scale >= 1) || !std::isfinite(robust_scale))
+    refuse("robust_scale", robust_scale, "0 (least squares) or at least 1");
+  if (!(min_step >= 0) || !std::isfinite(min_step)) refuse("min_step", min_step, "finite and not negative");
+}
+
+RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vector<LineMatch>& lines,
+                       const std::vector<PointMatch>& points, const RefineOptions& options,
+                       const FreeAxis& free_axis) {
+  options.check();
+  RefinedPose result;
+  if (start.isFinite()) result.camera_from_object = start;
+  if (!usable(start, camera, lines, points, free_axis)) return result;
+
+  MatchResiduals residuals(camera, lines, points);
+  residuals.evaluate(start);
+  double scale = options.robust_scale > 0 ? residuals.scale() : 0;
+  NormalEquations now = residuals.accumulate(options.robust_scale * scale), trial;
+  double lambda = 1e-4;
+  Rigid3 pose = start;
+  while (std::isfinite(now.cost) && now.residuals > 0 && result.iterations < options.max_iterations) {
+    ++result.iterations;
+    const Coordinates coordinates(pose, free_axis);
+    Matrix6d h = now.hessian;
+    Vector6d g = now.gradient, step;
+    coordinates.turn(&h, &g);
+    if (!dampedStep(h, g, lambda, &step)) {
+      lambda = std::max(1e-8, lambda * 10);
+      continue;
+    }
+    const Rigid3 next = perturbed(pose, coordinates.back(step));
+    residuals.evaluate(next);
+    trial = residuals.accumulate(options.robust_scale * scale);
+    const bool small = step.cwiseAbs().maxCoeff() < options.min_step;
+    if (trial.cost <= now.cost) {
+      pose = next;
+      now = trial;
+      lambda = std::max(1e-9, 0.1 * lambda);
+      if (scale > 1) {  // the cut-off comes down with the residuals
+        const double tighter = std::min(scale, residuals.scale());
+        if (tighter < 0.999 * scale) {
+          scale = tighter;
+          now = residuals.accumulate(options.robust_scale * scale);
+          if (!small) continue;
+        }
+      }
+    } else if (!small) {
+      lambda = std::max(1e-4, 10 * lambda);
+      if (lambda > 1e8) break;
+      continue;
+    }
+    if (small) {
+      result.converged = true;
+      break;
+    }
+  }
+  if (!std::isfinite(now.cost) || now.residuals == 0) return result;
+  result.camera_from_object = {nearestRotation(pose.rotation), pose.translation};
+  result.inliers = now.inliers;
+  result.rms = now.rms();
+  covarianceOf(now, free_axis, &result);
+  return result;
+}
+
+double lineResidual(const Rigid3& pose, const Camera& camera, const LineMatch& match, Vector6d* derivative) {
+  const Eigen::Vector3d turned = pose.rotation * match.p_in_object, p = turned + pose.translation;
+  if (derivative) {
+    const double z = 1 / p.z(), nx = match.normal.x() * camera.fx * z, ny = match.normal.y() * camera.fy * z;
+    const Eigen::Vector3d a(nx, ny, -(nx * p.x() + ny * p.y()) * z);
+    *derivative << a, turned.cross(a);
+  }
+  return match.normal.dot(camera.project(p) - match.uv);
+}
+
+Eigen::Vector2d pointResidual(const Rigid3& pose, const Camera& camera, const PointMatch& match,
+                              Eigen::Matrix<double, 2, 6>* derivative) {
+  const Eigen::Vector3d turned = pose.rotation * match.p_in_object, p = turned + pose.translation;
+  if (derivative) {
+    const double z = 1 / p.z();
+    const Eigen::Vector3d u(camera.fx * z, 0, -camera.fx * p.x() * z * z),
+        v(0, camera.fy * z, -camera.fy * p.y() * z * z);
+    derivative->row(0) << u.transpose(), turned.cross(u).transpose();
+    derivative->row(1) << v.transpose(), turned.cross(v).transpose();
+  }
+  return camera.project(p) - match.uv;
+}
+
+}  // namespace monocular_eye_hand
