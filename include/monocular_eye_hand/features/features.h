@@ -8,15 +8,16 @@
 
 namespace monocular_eye_hand {
 
-// All coordinates here are rectified pixels (uv_rect): lens distortion is removed from the features, never from
-// the image.
+// All coordinates here are rectified pixels (uv_rect): lens distortion is removed from the features, never
+// from the image.
 
 /// One sub-pixel edge point.
 struct EdgePoint {
   Eigen::Vector2f uv;
-  Eigen::Vector2f normal;   ///< unit, from dark to bright
-  float gradient = 0;       ///< magnitude [grey levels per raw pixel]
-  float sigma = 0;          ///< standard deviation along the normal [px]
+  Eigen::Vector2f normal;  ///< unit, from dark to bright
+  float gradient = 0;      ///< magnitude [grey levels per raw pixel]
+  float sigma = 0;         ///< standard deviation along the normal [px]
+  float blur = 0;          ///< standard deviation of the edge's profile, detector's smoothing included [px]
 };
 
 /// A run of neighbouring edge points: points[first .. first + count).
@@ -30,12 +31,12 @@ struct EdgeTrace {
 /// n = (q - p) rotated by -90 degrees in (u right, v down) coordinates, i.e. n = (d.y, -d.x).
 struct LineSegment {
   Eigen::Vector2d p, q;
-  double sigma_offset = 0;  ///< standard deviation of the line's offset at its middle [px]
-  double sigma_angle = 0;   ///< standard deviation of its direction [rad]
+  double sigma_offset = 0;          ///< standard deviation of the line's offset at its middle [px]
+  double sigma_angle = 0;           ///< standard deviation of its direction [rad]
   double sigma_p = 0, sigma_q = 0;  ///< standard deviation of the end points along the line [px]
-  double contrast = 0;      ///< mean gradient magnitude of its points [grey levels per pixel]
-  int trace = -1;           ///< the trace it was split from; -1 for one joined across a gap
-  int first = 0, count = 0; ///< its points in FeatureSet::points (of its longest piece when joined)
+  double contrast = 0;              ///< mean gradient magnitude of its points [grey levels per pixel]
+  int trace = -1;                   ///< the trace it was split from; -1 for one joined across a gap
+  int first = 0, count = 0;         ///< its points in FeatureSet::points (of its longest piece when joined)
   std::vector<int> pieces;  ///< segments that this one joins across explained gaps; empty for a plain one
 
   Eigen::Vector2d direction() const { return (q - p).normalized(); }
@@ -54,15 +55,15 @@ struct EllipticArc {
 struct DetectedEllipse {
   Ellipse ellipse;
   Eigen::Matrix<double, 5, 5> covariance;  ///< of (centre u, centre v, a, b, angle) [px, rad]
-  double coverage = 0;  ///< share of the circumference that has edge points, 0..1
-  double rms = 0;       ///< [px]
+  double coverage = 0;                     ///< share of the circumference that has edge points, 0..1
+  double rms = 0;                          ///< [px]
   bool bright_inside = false;
   std::vector<int> arcs;
 };
 
 /// What the seed's figures 3 and 4 split an image into.
 struct FeatureSet {
-  Camera camera;  ///< of the image the features come from
+  Camera camera;                  ///< of the image the features come from
   std::vector<EdgePoint> points;  ///< trace after trace
   std::vector<EdgeTrace> traces;
   std::vector<LineSegment> segments;  ///< plain ones first, then joined ones
@@ -72,18 +73,43 @@ struct FeatureSet {
 
 /// Defaults stand here and nowhere else.
 struct FeatureOptions {
-  double smoothing_sigma = 0.8;      ///< Gaussian before differentiation [px]
-  double gradient_threshold = 4.0;   ///< weakest gradient of an edge point [grey levels per px]; raised with the noise
-  double noise_factor = 3.0;         ///< weakest gradient in multiples of the image's gradient noise
-  int min_trace_points = 8;          ///< shorter traces are dropped
-  double min_segment_length = 8.0;   ///< [px]
-  double split_tolerance = 1.0;      ///< largest departure of a trace point from its piece [px]
-  double join_gap_ratio = 0.4;       ///< longest gap bridged between collinear pieces, as a share of their length
-  double min_arc_sweep = 0.35;       ///< shortest arc kept [rad]
-  double min_ellipse_axis = 3.0;     ///< smallest semi-axis [px]
-  double min_ellipse_coverage = 0.3; ///< smallest covered share of the circumference
+  double smoothing_sigma = 0.8;  ///< Gaussian before differentiation [px]
+  double gradient_threshold =
+      2.0;  ///< weakest gradient of an edge point [grey levels per px]; raised with the noise
+  double noise_factor = 3.0;        ///< weakest gradient in multiples of the image's gradient noise
+  int min_trace_points = 8;         ///< shorter traces are dropped
+  double min_segment_length = 8.0;  ///< [px]
+  double split_tolerance = 1.0;     ///< largest departure of a trace point from its piece [px]
+  double join_gap_ratio = 0.4;  ///< longest gap bridged between collinear pieces, as a share of their length
+  double min_arc_sweep = 0.35;  ///< shortest arc kept [rad]
+  double min_ellipse_axis = 3.0;      ///< smallest semi-axis [px]
+  double min_ellipse_coverage = 0.3;  ///< smallest covered share of the circumference
 
+  /// Calls v(name, field) for every field.
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    visitFields(*this, v);
+  }
+  template <class Visitor>
+  void visit(Visitor&& v) const {
+    visitFields(*this, v);
+  }
   void check() const;  ///< throws BadInput naming field, value and rule
+
+ private:
+  template <class Self, class Visitor>
+  static void visitFields(Self& self, Visitor& v) {
+    v("smoothing_sigma", self.smoothing_sigma);
+    v("gradient_threshold", self.gradient_threshold);
+    v("noise_factor", self.noise_factor);
+    v("min_trace_points", self.min_trace_points);
+    v("min_segment_length", self.min_segment_length);
+    v("split_tolerance", self.split_tolerance);
+    v("join_gap_ratio", self.join_gap_ratio);
+    v("min_arc_sweep", self.min_arc_sweep);
+    v("min_ellipse_axis", self.min_ellipse_axis);
+    v("min_ellipse_coverage", self.min_ellipse_coverage);
+  }
 };
 
 /// Detects edge traces, segments, arcs and ellipses in an 8-bit single-channel image.

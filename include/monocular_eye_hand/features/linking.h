@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+#include "monocular_eye_hand/features/edge_detection.h"
+
+namespace monocular_eye_hand {
+
+/// Traces of linked edge points; `points` lie trace after trace, ordered so that the bright side is on the
+/// (d.y, -d.x) side of the walking direction d.
+struct LinkedEdges {
+  std::vector<EdgePoint> points;
+  std::vector<EdgeTrace> traces;
+};
+
+/// Links every edge point to the neighbour ahead and behind that continues it best (distance plus departure
+/// from both tangents). Traces that noise could make are dropped: with Rayleigh-distributed noise magnitudes,
+/// the expected number of traces as strong and long as this one in a noise image of this size must be below
+/// one (Desolneux, Moisan, Morel 2001).
+LinkedEdges linkEdges(const EdgeMap& edges, const FeatureOptions& options);
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <cmath>
+
+#include "monocular_eye_hand/features/splitting.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr int kArcFitPoints = 48;
+
+// A piece of the polygon that approximates a trace.
+struct Chord {
+  int begin, end;
+  double length;
+  double angle;  // direction [rad]
+};
+
+double wrap(double angle) { return angle - 2 * M_PI * std::floor(angle / (2 * M_PI) + 0.5); }
+
+class ArcFinder {
+ public:
+  ArcFinder(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options)
+      : edges_(edges), correlation_length_(correlation_length), options_(options) {}
+
+  void add(int trace, std::vector<EllipticArc>* out) {
+    const EdgeTrace& t = edges_.traces[trace];
+    const PointRange range{t.first, t.count};
+    sums_.assign(edges_.points, t.first, t.count);
+    if (sums_.chi2(t.first, t.first + t.count) < 2.0 * t.count) return;  // plainly straight
+    tolerance_ = splitTolerance(edges_.points, range, options_);
+    makeChords(polygonBreaks(edges_.points, sums_, range, tolerance_));
+    found_.clear();
+    for (size_t i = 0; i + 1 < chords_.size();) {
+      const size_t end = runEnd(i);
+      if (end - i >= 2) tryRun(i, end, 0);
+      i = std::max(end - 1, i + 1);
+    }
+    finish(trace, range, out);
+  }
+
+ private:
+  void makeChords(const std::vector<int>& breaks) {
+    chords_.clear();
+    for (size_t i = 0; i + 1 < breaks.size(); ++i) {
+      const Eigen::Vector2f d =
+          edges_.points[std::max(breaks[i], breaks[i + 1] - 1)].uv - edges_.points[breaks[i]].uv;
+      chords_.push_back({breaks[i], breaks[i + 1], d.norm(), std::atan2(d.y(), d.x())});
+    }
+  }
+
+  // A polygon within t of a smooth curve turns by about l^2 / (8 t) R per chord: turn times length is at most
+  // 8 t.
+  bool smooth(const Chord& a, const Chord& b) const {
+    const double turn = std::fabs(wrap(b.angle - a.angle)), mean = 0.5 * (a.length + b.length);
+    return turn < 1.6 && turn * mean < 16 * tolerance_ + 2;
+  }
+
+  // One past the last chord of the run from i on that turns one way without a corner.
+  size_t runEnd(size_t i) const {
+    double sign = 0;
+    size_t end = i + 1;
+    for (; end < chords_.size(); ++end) {
+      const double turn = wrap(chords_[end].angle - chords_[end - 1].angle);
+      if (!smooth(chords_[end - 1], chords_[end])) break;
+      if (sign * turn < 0) break;
+      sign = turn < 0 ? -1 : 1;
+    }
+    return end;
+  }
+
+  EllipseFit fit(size_t begin, size_t end) const {
+    const std::vector<PointRange> range{{chords_[begin].begin, chords_[end - 1].end - chords_[begin].begin}};
+    EllipseFit direct = fitEllipseDirect(edges_.points, range, kArcFitPoints);
+    if (!direct.valid) return direct;
+    return refineEllipse(edges_.points, range, direct.ellipse, kArcFitPoints, 4);
+  }
+
+  bool believable(const EllipseFit& f, size_t begin, size_t end) const {
+    if (!f.valid || f.ellipse.b < 0.7 * options_.min_ellipse_axis) return false;
+    if (f.rms > std::max(0.3, 0.5 * tolerance_)) return false;
+    // Minimum description length against the straight pieces: chi2 / 2 plus about six nats per number.
+    const int first = chords_[begin].begin, last = chords_[end - 1].end;
+    double lines = 0;
+    for (size_t i = begin; i < end; ++i) lines += sums_.chi2(chords_[i].begin, chords_[i].end);
+    const double points_per_used = double(last - first) / f.count;
+    const double arc = f.chi2 * points_per_used;
+    const double line_cost = 12.0 * double(end - begin), arc_cost = 30.0;
+    return 0.5 * arc / correlation_length_ + arc_cost < 0.5 * lines / correlation_length_ + line_cost ||
+           arc < 1.5 * (last - first);
+  }
+
+  // Accepts the run, or the longer part after dropping the end chord whose loss helps more, or its two
+  // halves.
+  void tryRun(size_t begin, size_t end, int depth) {
+    while (end - begin >= 2 && chords_[end - 1].end - chords_[begin].begin >= 8) {
+      const EllipseFit whole = fit(begin, end);
+      if (believable(whole, begin, end)) {
+        found_.push_back({chords_[begin].begin, chords_[end - 1].end, whole});
+        return;
+      }
+      if (end - begin > 8 && depth < 4) {
+        const size_t middle = begin + (end - begin) / 2;
+        tryRun(begin, middle, depth + 1);
+        tryRun(middle, end, depth + 1);
+        return;
+      }
+      if (end - begin < 3) return;
+      const EllipseFit head = fit(begin, end - 1), tail = fit(begin + 1, end);
+      const bool drop_tail = !tail.valid || (head.valid && head.chi2 / head.count < tail.chi2 / tail.count);
+      drop_tail ? --end : ++begin;
+    }
+  }
+
+  struct Found {
+    int begin, end;
+    EllipseFit fit;
+  };
+
+  bool onEllipse(const EllipseFit& f, int i) const {
+    const EdgePoint& p = edges_.points[i];
+    const EllipseDistance d = distanceTo(f.ellipse, p.uv.cast<double>());
+    const double limit = std::max(3 * fitSigma(p), 2 * f.rms) + 0.1;
+    return std::fabs(d.distance) < limit && std::fabs(d.normal.dot(p.normal.cast<double>())) > 0.93;
+  }
+
+  // Moves the ends of an arc to where the trace leaves its ellipse, and fits again.
+  void settle(Found* arc, int low, int high) const {
+    for (int round = 0; round < 2; ++round) {
+      const int begin = arc->begin, end = arc->end;
+      while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->begin)) ++arc->begin;
+      while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->end - 1)) --arc->end;
+      while (arc->begin > low && onEllipse(arc->fit, arc->begin - 1)) --arc->begin;
+      while (arc->end < high && onEllipse(arc->fit, arc->end)) ++arc->end;
+      const EllipseFit again =
+          refineEllipse(edges_.points, {{arc->begin, arc->end - arc->begin}}, arc->fit.ellipse, 160, 6);
+      if (again.valid) arc->fit = again;
+      if (begin == arc->begin && end == arc->end) break;
+    }
+  }
+
+  void finish(int trace, PointRange range, std::vector<EllipticArc>* out) {
+    int low = range.first;
+    for (size_t i = 0; i < found_.size(); ++i) {
+      Found& arc = found_[i];
+      arc.begin = std::max(arc.begin, low);
+      if (arc.end - arc.begin < 8) continue;
+      const int high = range.first + range.count;
+      settle(&arc, low, high);
+      // An arc that grew over the next one has explained it.
+      const EllipticArc a = describe(arc, trace);
+      if (std::fabs(a.sweep) < options_.min_arc_sweep || a.ellipse.b < options_.min_ellipse_axis) continue;
+      low = arc.end;
+      out->push_back(a);
+    }
+  }
+
+  EllipticArc describe(const Found& arc, int trace) const {
+    EllipticArc a;
+    a.ellipse = arc.fit.ellipse;
+    a.rms = arc.fit.rms;
+    a.trace = trace;
+    a.first = arc.begin;
+    a.count = arc.end - arc.begin;
+    a.start = eccentricAngle(a.ellipse, edges_.points[arc.begin].uv.cast<double>());
+    double last = a.start;
+    for (int i = arc.begin + 1; i < arc.end; ++i) {
+      const double now = eccentricAngle(a.ellipse, edges_.points[i].uv.cast<double>());
+      a.sweep += wrap(now - last);
+      last = now;
+    }
+    const double whole = 2 * M_PI * (1 - 1e-9);
+    a.sweep = std::min(whole, std::max(-whole, a.sweep));
+    return a;
+  }
+
+  const LinkedEdges& edges_;
+  const double correlation_length_;
+  const FeatureOptions& options_;
+  LineSums sums_;
+  double tolerance_ = 0;
+  std::vector<Chord> chords_;
+  std::vector<Found> found_;
+};
+
+}  // namespace
+
+std::vector<EllipticArc> findArcs(const LinkedEdges& edges, double correlation_length,
+                                  const FeatureOptions& options) {
+  std::vector<EllipticArc> out;
+  ArcFinder finder(edges, correlation_length, options);
+  for (int t = 0; t < int(edges.traces.size()); ++t) finder.add(t, &out);
+  return out;
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,51 @@
+#include "monocular_eye_hand/features/line_fitting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace monocular_eye_hand {
+
+void LineSums::assign(const std::vector<EdgePoint>& points, int first, int count) {
+  first_ = first;
+  origin_ = points[first].uv.cast<double>();
+  sums_.resize(size_t(count) + 1);
+  Moments m;
+  sums_[0] = m;
+  for (int i = 0; i < count; ++i) {
+    const EdgePoint& p = points[first + i];
+    const double s = fitSigma(p), w = 1 / (s * s);
+    const double x = p.uv.x() - origin_.x(), y = p.uv.y() - origin_.y();
+    m.w += w, m.x += w * x, m.y += w * y;
+    m.xx += w * x * x, m.xy += w * x * y, m.yy += w * y * y;
+    sums_[size_t(i) + 1] = m;
+  }
+}
+
+LineSums::Moments LineSums::between(int begin, int end) const {
+  const Moments &a = sums_[begin - first_], &b = sums_[end - first_];
+  Moments m{b.w - a.w, b.x - a.x, b.y - a.y, b.xx - a.xx, b.xy - a.xy, b.yy - a.yy};
+  m.x /= m.w, m.y /= m.w;  // mean and central moments from here on
+  m.xx -= m.w * m.x * m.x, m.xy -= m.w * m.x * m.y, m.yy -= m.w * m.y * m.y;
+  return m;
+}
+
+double LineSums::chi2(int begin, int end) const {
+  const Moments m = between(begin, end);
+  const double half = 0.5 * (m.xx - m.yy);
+  return std::max(0.0, 0.5 * (m.xx + m.yy) - std::sqrt(half * half + m.xy * m.xy));
+}
+
+LineFit LineSums::fit(int begin, int end) const {
+  const Moments m = between(begin, end);
+  const double half = 0.5 * (m.xx - m.yy), root = std::sqrt(half * half + m.xy * m.xy);
+  const double angle = 0.5 * std::atan2(2 * m.xy, m.xx - m.yy);
+  LineFit fit;
+  fit.centre = origin_ + Eigen::Vector2d(m.x, m.y);
+  fit.direction = {std::cos(angle), std::sin(angle)};
+  fit.chi2 = std::max(0.0, 0.5 * (m.xx + m.yy) - root);
+  fit.spread = 0.5 * (m.xx + m.yy) + root;
+  fit.weight = m.w;
+  return fit;
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,141 @@
+#include "monocular_eye_hand/features/linking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr float kNoLink = 1e9f;
+
+// Chains edge points; every point has at most one successor and one predecessor.
+class Linker {
+ public:
+  explicit Linker(const EdgeMap& edges)
+      : edges_(edges),
+        next_(edges.points.size(), -1),
+        previous_(edges.points.size(), -1),
+        next_cost_(edges.points.size(), kNoLink) {}
+
+  void link() {
+    // The second round gives points that lost their neighbour to a better one another chance.
+    for (int round = 0; round < 2; ++round)
+      for (int i = 0; i < int(edges_.points.size()); ++i) {
+        if (next_[i] < 0) seek(i, 1);
+        if (previous_[i] < 0) seek(i, -1);
+      }
+  }
+  const std::vector<int>& next() const { return next_; }
+  const std::vector<int>& previous() const { return previous_; }
+
+ private:
+  // Cost of b as successor of a: distance plus departure from both tangents; kNoLink when b does not continue
+  // a.
+  float cost(int a, int b) const {
+    const EdgePoint &p = edges_.points[a], &q = edges_.points[b];
+    const float dx = q.uv.x() - p.uv.x(), dy = q.uv.y() - p.uv.y();
+    const float forward_a = -p.normal.y() * dx + p.normal.x() * dy;
+    const float forward_b = -q.normal.y() * dx + q.normal.x() * dy;
+    const float turn = p.normal.dot(q.normal);
+    if (forward_a < 0.2f || forward_b < 0.2f || turn < 0.3f) return kNoLink;
+    const float aside =
+        std::fabs(p.normal.x() * dx + p.normal.y() * dy) + std::fabs(q.normal.x() * dx + q.normal.y() * dy);
+    return std::sqrt(dx * dx + dy * dy) + 1.5f * aside;
+  }
+
+  // Finds the best free successor (sign 1) or predecessor (sign -1) of point i; a better claim takes a
+  // neighbour over.
+  void seek(int i, int sign) {
+    int best = -1;
+    float best_cost = kNoLink;
+    for (int reach = 1; reach <= 2 && best < 0; ++reach) ring(i, sign, reach, &best, &best_cost);
+    if (best < 0) return;
+    const int from = sign > 0 ? i : best, to = sign > 0 ? best : i;
+    if (sign > 0 && previous_[to] >= 0) unlink(previous_[to], to);
+    if (sign < 0 && next_[from] >= 0) unlink(from, next_[from]);
+    next_[from] = to;
+    previous_[to] = from;
+    next_cost_[from] = best_cost;
+  }
+
+  void ring(int i, int sign, int reach, int* best, float* best_cost) const {
+    const int x0 = edges_.x[i], y0 = edges_.y[i];
+    for (int y = std::max(0, y0 - reach); y <= std::min(edges_.rows - 1, y0 + reach); ++y) {
+      const bool inside_row = std::abs(y - y0) < reach;
+      const int32_t* row = edges_.index.data() + size_t(y) * edges_.cols;
+      for (int x = x0 - reach; x <= x0 + reach; x += inside_row ? 2 * reach : 1) {
+        if (x < 0 || x >= edges_.cols) continue;
+        const int j = row[x];
+        if (j < 0) continue;
+        const float c = sign > 0 ? cost(i, j) : cost(j, i);
+        if (c >= *best_cost) continue;
+        const int rival = sign > 0 ? previous_[j] : (next_[j] >= 0 ? j : -1);
+        if (rival >= 0 && next_cost_[rival] <= c) continue;
+        *best = j;
+        *best_cost = c;
+      }
+    }
+  }
+
+  void unlink(int from, int to) {
+    next_[from] = -1;
+    previous_[to] = -1;
+    next_cost_[from] = kNoLink;
+  }
+
+  const EdgeMap& edges_;
+  std::vector<int> next_, previous_;
+  std::vector<float> next_cost_;
+};
+
+// A trace is kept when noise alone would make fewer than one as strong: each independent point exceeds
+// gradient g with probability exp(-g^2 / (2 noise^2)); the number of possible traces is about (pixels)^2.
+class NoiseTest {
+ public:
+  NoiseTest(const EdgeMap& edges)
+      : scale_(float(0.5 / (edges.gradient_noise * edges.gradient_noise * edges.correlation_length))),
+        needed_(float(2 * std::log(double(edges.rows) * edges.cols))) {}
+  void add(float gradient) { evidence_ += std::min(scale_ * gradient * gradient, kMost); }
+  bool passed() const { return evidence_ >= needed_; }
+
+ private:
+  static constexpr float kMost = 6;  // so that a few strong points do not carry a weak trace
+  float scale_, needed_, evidence_ = 0;
+};
+
+void append(const EdgeMap& edges, const std::vector<int>& next, int start, bool closed, int min_points,
+            std::vector<char>* used, LinkedEdges* out) {
+  EdgeTrace trace;
+  trace.first = int(out->points.size());
+  trace.closed = closed;
+  NoiseTest test(edges);
+  for (int i = start; i >= 0 && !(*used)[i]; i = next[i]) {
+    (*used)[i] = 1;
+    out->points.push_back(edges.points[i]);
+    test.add(edges.points[i].gradient);
+  }
+  trace.count = int(out->points.size()) - trace.first;
+  if (trace.count >= min_points && test.passed())
+    out->traces.push_back(trace);
+  else
+    out->points.resize(trace.first);
+}
+
+}  // namespace
+
+LinkedEdges linkEdges(const EdgeMap& edges, const FeatureOptions& options) {
+  Linker linker(edges);
+  linker.link();
+  LinkedEdges out;
+  out.points.reserve(edges.points.size());
+  std::vector<char> used(edges.points.size(), 0);
+  const int n = int(edges.points.size()), least = options.min_trace_points;
+  for (int i = 0; i < n; ++i)
+    if (linker.previous()[i] < 0) append(edges, linker.next(), i, false, least, &used, &out);
+  for (int i = 0; i < n; ++i)
+    if (!used[i]) append(edges, linker.next(), i, true, least, &used, &out);
+  return out;
+}
+
+}  // namespace monocular_eye_hand

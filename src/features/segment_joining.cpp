@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "monocular_eye_hand/features/joining.h"
+#include "monocular_eye_hand/features/line_fitting.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kAngleCell = 4 * M_PI / 180, kOffsetCell = 6;  // rad, px
+constexpr int kNeighbours = 6;  // candidates looked at on each side of a segment along its line
+
+struct Line {
+  double angle, offset;  // direction in [0, pi), signed distance from the reference point
+  double along;          // middle along the direction
+};
+
+// One candidate join.
+struct Pair {
+  int a, b;
+  double gap;
+};
+
+class SegmentJoiner {
+ public:
+  SegmentJoiner(const std::vector<LineSegment>& plain, const FeatureOptions& options)
+      : plain_(plain), options_(options), parent_(plain.size()) {
+    for (const LineSegment& s : plain) reference_ += 0.5 * (s.p + s.q);
+    if (!plain.empty()) reference_ /= double(plain.size());
+    for (size_t i = 0; i < plain.size(); ++i) parent_[i] = int(i);
+  }
+
+  std::vector<LineSegment> run() {
+    std::vector<Pair> pairs = candidates();
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
+      return x.gap != y.gap ? x.gap < y.gap : x.a != y.a ? x.a < y.a : x.b < y.b;
+    });
+    members_.resize(plain_.size());
+    for (size_t i = 0; i < plain_.size(); ++i) members_[i] = {int(i)};
+    for (const Pair& pair : pairs) tryJoin(pair);
+    std::vector<LineSegment> out;
+    for (size_t i = 0; i < plain_.size(); ++i)
+      if (parent_[i] == int(i) && members_[i].size() > 1) out.push_back(joined(members_[i]));
+    return out;
+  }
+
+ private:
+  using Cell = std::pair<int, int>;
+
+  Line lineOf(const LineSegment& s) const {
+    Eigen::Vector2d d = s.direction();
+    if (d.y() < 0 || (d.y() == 0 && d.x() < 0)) d = -d;
+    const Eigen::Vector2d m = 0.5 * (s.p + s.q) - reference_;
+    return {std::atan2(d.y(), d.x()), d.x() * m.y() - d.y() * m.x(), d.dot(m)};
+  }
+
+  // Segments whose lines fall into the same or neighbouring cells of (angle, offset), near each other along
+  // the line. The offset is taken about the middle of all segments; a far segment's offset moves with its
+  // angle error, which is why the cells are as wide as they are.
+  std::vector<Pair> candidates() const {
+    std::map<Cell, std::vector<std::pair<double, int>>> cells;
+    std::vector<Line> lines;
+    const int turns = int(std::lround(M_PI / kAngleCell));
+    for (int i = 0; i < int(plain_.size()); ++i) {
+      const Line l = lineOf(plain_[i]);
+      lines.push_back(l);
+      const int a = std::min(turns - 1, int(l.angle / kAngleCell));
+      cells[{a, int(std::floor(l.offset / kOffsetCell))}].push_back({l.along, i});
+    }
+    for (auto& cell : cells) std::sort(cell.second.begin(), cell.second.end());
+    std::vector<Pair> pairs;
+    for (int i = 0; i < int(plain_.size()); ++i) {
+      const Line& l = lines[i];
+      const int a = std::min(turns - 1, int(l.angle / kAngleCell));
+      for (int da = -1; da <= 1; ++da) {
+        const bool flipped =
+            a + da < 0 || a + da >= turns;  // past 0 or pi the direction and the offset change sign
+        const int cell_a = (a + da + turns) % turns;
+        const double offset = flipped ? -l.offset : l.offset, along = flipped ? -l.along : l.along;
+        const int o = int(std::floor(offset / kOffsetCell));
+        for (int cell_o = o - 1; cell_o <= o + 1; ++cell_o) {
+          const auto found = cells.find({cell_a, cell_o});
+          if (found != cells.end()) look(i, along, found->second, &pairs);
+        }
+      }
+    }
+    return pairs;
+  }
+
+  void look(int i, double along, const std::vector<std::pair<double, int>>& row,
+            std::vector<Pair>* pairs) const {
+    const auto here = std::lower_bound(row.begin(), row.end(), std::make_pair(along, i));
+    int n = 0;
+    for (auto it = here; it != row.end() && n < kNeighbours; ++it, ++n) consider(i, it->second, pairs);
+    n = 0;
+    for (auto it = here; it != row.begin() && n < kNeighbours; ++n) consider(i, (--it)->second, pairs);
+  }
+
+  void consider(int i, int j, std::vector<Pair>* pairs) const {
+    if (i >= j) return;  // each pair is met from both sides; keep one
+    double gap;
+    if (collinear(plain_[i], plain_[j], &gap)) pairs->push_back({i, j, gap});
+  }
+
+  // Two segments on one line: no overlap, a gap within the ratio, ends of each within the uncertainty of the
+  // other.
+  bool collinear(const LineSegment& a, const LineSegment& b, double* gap) const {
+    const LineSegment &longer = a.length() >= b.length() ? a : b, &shorter = a.length() >= b.length() ? b : a;
+    const Eigen::Vector2d d = longer.direction(), n(-d.y(), d.x()), m = 0.5 * (longer.p + longer.q);
+    const double half = 0.5 * longer.length();
+    double t0 = d.dot(shorter.p - m), t1 = d.dot(shorter.q - m);
+    if (t0 > t1) std::swap(t0, t1);
+    *gap = t0 > 0 ? t0 - half : -half - t1;
+    const double whole = std::max(half, t1) - std::min(-half, t0);
+    if (*gap < -2.0 || *gap > options_.join_gap_ratio * whole) return false;
+    for (const Eigen::Vector2d& end : {shorter.p, shorter.q}) {
+      const double along = d.dot(end - m);
+      const double sigma =
+          std::sqrt(longer.sigma_offset * longer.sigma_offset + std::pow(longer.sigma_angle * along, 2) +
+                    shorter.sigma_offset * shorter.sigma_offset +
+                    std::pow(0.5 * shorter.length() * shorter.sigma_angle, 2));
+      const double limit = std::min(3 * sigma + 0.3, options_.split_tolerance + 0.5);
+      if (std::fabs(n.dot(end - m)) > limit) return false;
+    }
+    const double cross = std::fabs(d.x() * shorter.direction().y() - d.y() * shorter.direction().x());
+    return cross < std::max(0.05, std::min(0.2, 4 * shorter.sigma_angle));
+  }
+
+  int root(int i) const {
+    while (parent_[i] != i) i = parent_[i];
+    return i;
+  }
+
+  void tryJoin(const Pair& pair) {
+    const int a = root(pair.a), b = root(pair.b);
+    if (a == b) return;
+    double gap;
+    const LineSegment left = members_[a].size() > 1 ? joined(members_[a]) : plain_[a];
+    const LineSegment right = members_[b].size() > 1 ? joined(members_[b]) : plain_[b];
+    if (!collinear(left, right, &gap)) return;
+    const int keep = std::min(a, b), drop = std::max(a, b);
+    parent_[drop] = keep;
+    members_[keep].insert(members_[keep].end(), members_[drop].begin(), members_[drop].end());
+    members_[drop].clear();
+  }
+
+  // Weighted line through the pieces, each standing for its middle and ends with its own uncertainty.
+  LineSegment joined(const std::vector<int>& pieces) const {
+    double w = 0, xx = 0, xy = 0, yy = 0;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    int longest = pieces[0];
+    for (int i : pieces) {
+      const LineSegment& s = plain_[i];
+      const double wi = 1 / (s.sigma_offset * s.sigma_offset);
+      w += wi;
+      mean += wi * 0.5 * (s.p + s.q);
+      if (s.length() > plain_[longest].length()) longest = i;
+    }
+    mean /= w;
+    for (int i : pieces) {
+      const LineSegment& s = plain_[i];
+      const double wi = 1 / (s.sigma_offset * s.sigma_offset);
+      const Eigen::Vector2d c = 0.5 * (s.p + s.q) - mean, h = 0.5 * (s.q - s.p);
+      // Second moments of a piece of even density about its own middle: a third of the half length squared.
+      xx += wi * (c.x() * c.x() + h.x() * h.x() / 3);
+      xy += wi * (c.x() * c.y() + h.x() * h.y() / 3);
+      yy += wi * (c.y() * c.y() + h.y() * h.y() / 3);
+    }
+    const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+    Eigen::Vector2d d(std::cos(angle), std::sin(angle));
+    const LineSegment& main = plain_[longest];
+    if (d.dot(main.direction()) < 0) d = -d;
+    LineSegment out = main;
+    double low = 1e18, high = -1e18, contrast = 0, length = 0;
+    for (int i : pieces) {
+      const LineSegment& s = plain_[i];
+      for (int end = 0; end < 2; ++end) {
+        const double t = d.dot((end == 0 ? s.p : s.q) - mean), sigma = end == 0 ? s.sigma_p : s.sigma_q;
+        if (t < low) low = t, out.sigma_p = sigma;
+        if (t > high) high = t, out.sigma_q = sigma;
+      }
+      contrast += s.contrast * s.length();
+      length += s.length();
+    }
+    out.p = mean + low * d;
+    out.q = mean + high * d;
+    const double spread = 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
+    out.sigma_angle = 1 / std::sqrt(std::max(spread, 1e-9));
+    out.sigma_offset = std::sqrt(1 / w + std::pow(out.sigma_angle * 0.5 * (low + high), 2));
+    out.contrast = contrast / length;
+    out.trace = -1;
+    out.pieces = pieces;
+    std::sort(out.pieces.begin(), out.pieces.end(), [&](int i, int j) {
+      return d.dot(plain_[i].p + plain_[i].q) < d.dot(plain_[j].p + plain_[j].q);
+    });
+    return out;
+  }
+
+  const std::vector<LineSegment>& plain_;
+  const FeatureOptions& options_;
+  Eigen::Vector2d reference_ = Eigen::Vector2d::Zero();
+  std::vector<int> parent_;
+  std::vector<std::vector<int>> members_;
+};
+
+}  // namespace
+
+std::vector<LineSegment> joinSegments(const std::vector<LineSegment>& plain, const FeatureOptions& options) {
+  if (options.join_gap_ratio <= 0) return {};
+  return SegmentJoiner(plain, options).run();
+}
+
+}  // namespace monocular_eye_hand
