@@ -27,7 +27,8 @@ def targets(build, devel):
         room, target = folder.relative_to(build).parts[1], folder.name[:-len(".dir")]
         library = devel / "lib" / f"lib{target}.so"
         program = devel / "lib" / PACKAGE / re.sub(f"^{PACKAGE}_(tool|node)_", "", target)
-        yield room, target, library if library.exists() else program
+        if library.exists() or program.exists():
+            yield room, target, library if library.exists() else program
 
 
 def is_ros(package_sources, package):
@@ -50,8 +51,9 @@ def header_faults(build, devel, order):
             if header and room in order and header[1] in order and order.index(header[1]) > order.index(room):
                 yield f"{name} includes {header[1]}/{pathlib.Path(file).name}, a floor above {room}"
     rooms = {name.split("/")[1] for name in read}
-    if not rooms & set(order):
-        yield f"no dependency file of any room in {build}: is it a Ninja build, and built?"
+    for room in [*order, "tools"]:
+        if room not in rooms:
+            yield f"no dependency file of {room} in {build}: is it a Ninja build, and built?"
     if "nodes" in rooms and "nodes" not in ros_seen:
         yield "no ROS header found in the nodes: this check does not see ROS headers"
 
@@ -73,9 +75,11 @@ def library_faults(build, devel, order):
             lower = re.match(f"lib{PACKAGE}_(.*)\\.so", soname)
             if lower and room in order and lower[1] in order and order.index(lower[1]) >= order.index(room):
                 yield f"{binary.name} links {soname}, which is no floor below it"
-    if not links:
-        yield f"no library or program found below {devel}"
-    if any(room == "nodes" for room, _, _ in links.values()) and "nodes" not in ros_seen:
+    rooms_seen = {room for room, _, _ in links.values()}
+    for room in [*order, "tools"]:
+        if room not in rooms_seen:
+            yield f"no library or program of {room} found below {devel}"
+    if "nodes" in rooms_seen and "nodes" not in ros_seen:
         yield "no ROS library found in the nodes: this check does not see ROS libraries"
 
 

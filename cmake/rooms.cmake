@@ -14,7 +14,7 @@ function(room name)
   target_link_libraries(${target} PUBLIC ${ARG_LINK})
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} INSTALL_RPATH "$ORIGIN")
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_LIBRARIES ${target})
 endfunction()
 
@@ -24,8 +24,7 @@ function(tool name)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE ${ARG_LINK})
   target_compile_options(${target} PRIVATE -Wall -Wextra)
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name}
-    INSTALL_RPATH "$ORIGIN/${MONOCULAR_EYE_HAND_LIB_FROM_BIN}")
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_PROGRAMS ${target})
 endfunction()
 

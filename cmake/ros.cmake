@@ -2,7 +2,7 @@
 # tools as a plain CMake project. Sets
 #   MONOCULAR_EYE_HAND_WITH_ROS                    whether messages and nodes are built
 #   MONOCULAR_EYE_HAND_{LIB,BIN,SHARE,INCLUDE}_DESTINATION   install folders, relative to the prefix
-#   MONOCULAR_EYE_HAND_LIB_FROM_BIN                from the programs to the libraries, for the run path
+#   CMAKE_INSTALL_RPATH                            from programs and libraries to the libraries, wherever they are moved
 #   MONOCULAR_EYE_HAND_TEST_RESULTS                where the tests leave their XML
 #   ros_node(<name> SOURCES <file>... [LINK <target>...])                program <name> of the package
 #   ros_test(<file>.test [DEPENDENCIES <target>...])                      rostest: alone, with its own ROS_HOME
@@ -41,8 +41,8 @@ if(NOT MONOCULAR_EYE_HAND_ROS OR missing)
   set(MONOCULAR_EYE_HAND_BIN_DESTINATION ${CMAKE_INSTALL_BINDIR})
   set(MONOCULAR_EYE_HAND_SHARE_DESTINATION ${CMAKE_INSTALL_DATADIR}/${PROJECT_NAME})
   set(MONOCULAR_EYE_HAND_INCLUDE_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  file(RELATIVE_PATH MONOCULAR_EYE_HAND_LIB_FROM_BIN
-    ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  file(RELATIVE_PATH lib_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/${lib_from_bin}")
   set(MONOCULAR_EYE_HAND_TEST_RESULTS ${CMAKE_BINARY_DIR}/test_results/${PROJECT_NAME})
   return()
 endif()
@@ -70,7 +70,7 @@ set(MONOCULAR_EYE_HAND_LIB_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 set(MONOCULAR_EYE_HAND_BIN_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 set(MONOCULAR_EYE_HAND_SHARE_DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 set(MONOCULAR_EYE_HAND_INCLUDE_DESTINATION ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
-set(MONOCULAR_EYE_HAND_LIB_FROM_BIN "..")
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/..")
 set(MONOCULAR_EYE_HAND_TEST_RESULTS ${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME})
 
 function(ros_node name)
@@ -81,8 +81,7 @@ function(ros_node name)
   target_link_libraries(${target} PRIVATE ${ARG_LINK} ${catkin_LIBRARIES})
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name}
-    INSTALL_RPATH "$ORIGIN/${MONOCULAR_EYE_HAND_LIB_FROM_BIN}")
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_PROGRAMS ${target})
 endfunction()
 

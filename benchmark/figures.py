@@ -1,0 +1,102 @@
+"""What the rows share: one figure of a row, and the runs of `evaluate` they read their figures from."""
+from __future__ import annotations
+
+import dataclasses
+import functools
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+
+class CannotMeasure(Exception):
+    """A row lacks what it measures on; the message says what to do."""
+
+
+@dataclasses.dataclass
+class Figure:
+    figure: str                 # what is measured, unique within its row
+    value: float
+    unit: str
+    target: str | None = None   # e.g. ">= 90", in the unit of the value
+    peer: str | None = None     # the library or program compared with, measured side by side
+    peer_value: float | None = None
+    conditions: str = ""
+
+    def met(self):
+        """Whether the value reaches the target; None without one."""
+        if self.target is None:
+            return None
+        relation, bound = self.target.split()
+        return {">=": self.value >= float(bound), "<=": self.value <= float(bound)}[relation]
+
+    def record(self, row):
+        return {"row": row, **dataclasses.asdict(self), "met": self.met()}
+
+
+@dataclasses.dataclass
+class Scene:
+    """One scene's line of `evaluate`, shares in per cent."""
+    found: float
+    right: float
+    average_recall: float
+    median_seconds: float
+    instances: int              # that `found` counts
+    estimates: int              # that `right` counts
+
+
+SCENE_LINE = re.compile(
+    r"scene (\d+): found \S+ \((\d+)/(\d+)\) right \S+ \((\d+)/(\d+)\) AR (\S+) median (\S+) s")
+
+
+def share(part, whole):
+    return 100.0 * part / max(whole, 1)
+
+
+def parse_scenes(text):
+    """{scene: Scene} from what `evaluate` prints."""
+    scenes = {}
+    for match in SCENE_LINE.finditer(text):
+        scene, found, instances, right, estimates = map(int, match.groups()[:5])
+        scenes[scene] = Scene(share(found, instances), share(right, estimates), float(match[6]), float(match[7]),
+                              instances, estimates)
+    return scenes
+
+
+class Bench:
+    """The built programs, the data, and a folder for what a run leaves behind."""
+
+    def __init__(self, programs, out):
+        self.programs = pathlib.Path(programs)
+        self.out = pathlib.Path(out)
+
+    def program(self, name):
+        path = self.programs / name
+        if not path.exists():
+            raise CannotMeasure(f"{path} is not built")
+        return path
+
+    def data(self, name):
+        root = os.environ.get("MONOCULAR_EYE_HAND_DATA")
+        if not root:
+            raise CannotMeasure("set MONOCULAR_EYE_HAND_DATA to the folder of the data sets")
+        path = pathlib.Path(root) / name
+        if not path.is_dir():
+            raise CannotMeasure(f"{path} does not exist; MONOCULAR_EYE_HAND_DATA names another folder")
+        return path
+
+    @functools.lru_cache(maxsize=None)  # rows that read the same run share it
+    def evaluate(self, dataset, split, *options):
+        """{scene: Scene} of the recogniser with default options over a split; leaves CSV and log in `out`."""
+        name = re.sub(r"[^\w.]+", "_", "_".join([dataset, split, *options]))
+        csv = self.out / f"{name}.csv"
+        command = [self.program("evaluate"), "--dataset", self.data(dataset), "--split", split, *options, "--out", csv]
+        print("  evaluate", dataset, split, *options, file=sys.stderr, flush=True)
+        with open(csv.with_suffix(".log"), "w", encoding="utf-8") as log:
+            code = subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, check=False).returncode
+        text = csv.with_suffix(".log").read_text(encoding="utf-8")
+        scenes = parse_scenes(text)
+        if code or not scenes:
+            raise CannotMeasure(f"evaluate ended with code {code}: {text.strip().splitlines()[-1:]} ({csv.with_suffix('.log')})")
+        return scenes
