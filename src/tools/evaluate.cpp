@@ -1,0 +1,205 @@
+// Runs the recogniser over a data set of the BOP format, writes BOP results and prints the scores.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <opencv2/core.hpp>
+#include <set>
+
+#include "candidate_dump.h"
+#include "monocular_eye_hand/evaluation/dataset.h"
+#include "monocular_eye_hand/evaluation/lens.h"
+#include "monocular_eye_hand/evaluation/results.h"
+#include "monocular_eye_hand/evaluation/scores.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/recognition/recognizer.h"
+#include "support.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string dataset, split, models, targets, options, out, dump;
+  std::vector<std::string> settings;
+  std::vector<int> scenes, images;
+  std::vector<double> warp;
+  double scale = 1;
+  bool all = false;
+};
+
+// The models of the data set as a model base: objects in the order of their ids.
+ModelBase modelBase(const BopModels& models) {
+  std::vector<ObjectEntry> entries;
+  for (const auto& entry : models) {
+    ObjectEntry object;
+    object.name = entry.second.name;
+    object.mesh = fs::absolute(entry.second.mesh_path).string();
+    object.unit = "mm";
+    entries.push_back(object);
+  }
+  return compileModelBase(entries);
+}
+
+std::vector<int> objectIds(const BopModels& models) {
+  std::vector<int> ids;
+  for (const auto& entry : models) ids.push_back(entry.first);
+  return ids;
+}
+
+// Turns the images of a data set into what the recogniser is to see.
+class ImageSource {
+ public:
+  explicit ImageSource(const Arguments& args) : args_(args) {}
+  CameraImage load(const BopImage& image) {
+    CameraImage input;
+    input.grey = loadBopImage(image);
+    input.camera = bopCamera(image, input.grey.cols, input.grey.rows);
+    if (!args_.warp.empty()) {
+      setDistortion(&input.camera, "plumb_bob", args_.warp.data(), args_.warp.size());
+      input.grey = warp_.apply(input.grey, input.camera);
+    }
+    return args_.scale == 1 ? input : resized(input, args_.scale);
+  }
+
+ private:
+  const Arguments& args_;
+  LensWarp warp_;
+};
+
+struct Run {
+  std::vector<BopResult> results;
+  ImageTimes times;
+};
+
+// What the node would publish of one image, as BOP results: one row per object, by its best pose.
+void addRows(const std::vector<RecognizedObject>& objects, const std::vector<int>& ids, const BopImage& image,
+             double seconds, std::vector<BopResult>* rows) {
+  for (const RecognizedObject& object : objects)
+    rows->push_back({image.scene, image.id, ids.at(size_t(object.object)), object.probability,
+                     object.camera_from_object, seconds});
+}
+
+Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& models,
+                 const Recognizer& recognizer, CandidateDump* dump) {
+  const std::vector<int> ids = objectIds(models);
+  ImageSource source(args);
+  Progress progress(split.images.size());
+  Run run;
+  for (const BopImage& image : split.images) {
+    const CameraImage input = source.load(image);
+    const auto start = std::chrono::steady_clock::now();
+    const RecognitionResult result = recognizer.recognize(input.grey, input.camera);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    run.times[{image.scene, image.id}] = seconds;
+    addRows(result.objects, ids, image, seconds, &run.results);
+    if (args.all) addRows(result.rejected, ids, image, seconds, &run.results);
+    if (dump)
+      for (const auto* candidates : {&result.objects, &result.rejected})
+        for (const RecognizedObject& candidate : *candidates)
+          dump->add(image, candidate, ids.at(size_t(candidate.object)));
+    char text[100];
+    std::snprintf(text, sizeof text, "scene %d image %d: %zu objects in %.3f s", image.scene, image.id,
+                  result.objects.size(), seconds);
+    progress.step(text);
+  }
+  return run;
+}
+
+std::vector<BopTarget> loadTargets(const Arguments& args, const BopSplit& split) {
+  if (args.targets.empty()) return {};
+  const fs::path beside_data = fs::path(args.dataset) / args.targets;
+  const auto all = loadBopTargets(fs::exists(beside_data) ? beside_data.string() : args.targets);
+  // A run restricted to scenes or images is scored on their targets.
+  const bool restricted = !args.scenes.empty() || !args.images.empty();
+  std::vector<BopTarget> targets;
+  for (const BopTarget& target : all)
+    if (!restricted || split.find(target.scene, target.image)) targets.push_back(target);
+  if (targets.empty()) throw BadInput(args.targets + ": no target in the chosen scenes and images");
+  return targets;
+}
+
+// With a target list only its images are looked at, as BOP asks.
+void keepImagesOf(const std::vector<BopTarget>& targets, BopSplit* split) {
+  if (targets.empty()) return;
+  std::set<std::pair<int, int>> keys;
+  for (const BopTarget& target : targets) {
+    keys.emplace(target.scene, target.image);
+    if (!split->find(target.scene, target.image))
+      throw BadInput("the targets name scene " + std::to_string(target.scene) + ", image " +
+                     std::to_string(target.image) + ", which the split does not have");
+  }
+  std::vector<BopImage> kept;
+  for (BopImage& image : split->images)
+    if (keys.count({image.scene, image.id})) kept.push_back(std::move(image));
+  split->images = std::move(kept);
+}
+
+void printScores(const BopSplit& split, const BopModels& models, const Run& run,
+                 const std::vector<BopTarget>& targets) {
+  const auto summaries = summarize(split, models, run.results, run.times);
+  for (const SceneSummary& summary : summaries) std::cout << summaryLine(summary) << "\n";
+  std::cout << summaryFigure(summaries) << "\n";
+  const BopScores s = scoreBop(split, models, run.results, targets);
+  std::printf("BOP, %d images, %d targets, %d estimates:\n", s.images, s.targets, s.estimates);
+  std::printf("  AR  %.6f (AR_MSSD %.6f, AR_MSPD %.6f)\n", s.ar(), s.ar_mssd, s.ar_mspd);
+  std::printf("  AP  %.6f (mAP_MSSD %.6f, mAP_MSPD %.6f)\n", s.map(), s.map_mssd, s.map_mspd);
+  std::printf(
+      "  AP  %.6f (mAP_MSSD %.6f, mAP_MSPD %.6f) with objects absent from an image as false positives\n",
+      s.mapStrict(), s.map_mssd_strict, s.map_mspd_strict);
+}
+
+int evaluate(const Arguments& args) {
+  if (!(args.scale > 0)) throw BadInput("--scale " + std::to_string(args.scale) + " must be positive");
+  const RecognitionOptions options = recognitionOptions(args.options, args.settings);
+  const BopModels models = loadBopModels(args.models.empty() ? args.dataset + "/models" : args.models);
+  BopSplit split = loadBopSplit(args.dataset, args.split, args.scenes, args.images);
+  const std::vector<BopTarget> targets = loadTargets(args, split);
+  keepImagesOf(targets, &split);
+  writeBopResults(args.out, {});  // a path that cannot be written is told before the work, not after
+  const Recognizer recognizer(modelBase(models), options);
+  CandidateDump dump(models);
+  Run run = recognizeAll(args, split, models, recognizer, args.dump.empty() ? nullptr : &dump);
+  writeBopResults(args.out, run.results);
+  writeImageTimes(imageTimesPath(args.out), run.times);
+  if (!args.dump.empty()) dump.write(args.dump);
+  run.results = readBopResults(args.out);  // the scores are those of the file
+  run.times = readImageTimes(imageTimesPath(args.out));
+  printScores(split, models, run, targets);
+  return 0;
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
+
+int main(int argc, char** argv) {
+  using namespace monocular_eye_hand;
+  cv::setNumThreads(1);  // times are those of one thread
+  Arguments args;
+  CLI::App app(
+      "Runs the recogniser over a data set of the BOP format, writes BOP results and prints found, right, "
+      "AR and AP.",
+      "evaluate");
+  app.add_option("--dataset", args.dataset, "folder of the data set")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--split", args.split, "its sub-folder with the scenes, e.g. test")->required();
+  app.add_option("--models", args.models, "folder of models_info.json and the meshes [DATASET/models]");
+  app.add_option("--targets", args.targets, "BOP'19 target list: only its images are run and scored");
+  app.add_option("--scenes", args.scenes, "only these scenes")->delimiter(',');
+  app.add_option("--images", args.images, "only these image ids of every scene")->delimiter(',');
+  app.add_option("--warp", args.warp,
+                 "k1,k2,p1,p2,k3: make the images look as taken through this plumb_bob lens")
+      ->delimiter(',')
+      ->expected(1, 5);
+  app.add_option("--scale", args.scale, "resize images and camera by this factor")->capture_default_str();
+  app.add_option("--options", args.options, "YAML of recognition options")->check(CLI::ExistingFile);
+  app.add_option("--set", args.settings, "one option, KEY=VALUE or GROUP.KEY=VALUE; may be repeated")
+      ->take_all();
+  app.add_flag("--all", args.all, "write rejected candidates too");
+  app.add_option("--out", args.out, "results file R.csv; R.times.csv is written beside it")->required();
+  app.add_option("--dump", args.dump, "CSV of every judged candidate with its evidence and its error");
+  CLI11_PARSE(app, argc, argv);
+  return runTool("evaluate", [&] { return evaluate(args); });
+}

@@ -1,0 +1,73 @@
+#include "support.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/options/options.h"
+
+namespace monocular_eye_hand {
+
+int runTool(const std::string& name, const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const std::exception& e) {
+    std::cout.flush();
+    std::cerr << name << ": " << e.what() << "\n";
+    return 1;
+  }
+}
+
+RecognitionOptions recognitionOptions(const std::string& yaml_path,
+                                      const std::vector<std::string>& settings) {
+  RecognitionOptions options;
+  if (!yaml_path.empty()) options = loadOptions<RecognitionOptions>(yaml_path);
+  for (const std::string& setting : settings) {
+    const size_t equals = setting.find('=');
+    if (equals == 0 || equals == std::string::npos)
+      throw BadInput("--set " + setting + ": of the form key=value or group.key=value");
+    OptionTree tree = parseYaml(setting.substr(equals + 1), "--set " + setting);
+    for (std::string key = setting.substr(0, equals); !key.empty();) {
+      const size_t dot = key.rfind('.');
+      OptionTree outer = OptionTree::ofMap();
+      outer.set(dot == std::string::npos ? key : key.substr(dot + 1), std::move(tree));
+      tree = std::move(outer);
+      key = dot == std::string::npos ? "" : key.substr(0, dot);
+    }
+    try {
+      readOptions(tree, &options);
+    } catch (const BadInput& e) {
+      throw BadInput("--set " + setting + ": " + e.what());
+    }
+  }
+  return options;
+}
+
+Progress::Progress(size_t total, bool shown)
+    : total_(total), shown_(shown), terminal_(isatty(STDERR_FILENO)) {}
+
+Progress::~Progress() { endLine(); }
+
+void Progress::endLine() {
+  if (open_) std::fputc('\n', stderr);
+  open_ = false;
+}
+
+void Progress::step(const std::string& text) {
+  ++done_;
+  if (!shown_) return;
+  if (terminal_) {
+    std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", done_, total_, text.c_str());
+    open_ = true;
+    if (done_ == total_) endLine();
+  } else if (done_ % std::max<size_t>(1, total_ / 20) == 0 || done_ == total_) {
+    std::fprintf(stderr, "[%zu/%zu] %s\n", done_, total_, text.c_str());
+  }
+  std::fflush(stderr);
+}
+
+}  // namespace monocular_eye_hand

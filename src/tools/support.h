@@ -1,0 +1,32 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/recognition/options.h"
+
+namespace monocular_eye_hand {
+
+/// Runs a tool's body: 0 or what it returns; bad input is told on stderr ("name: message") and gives 1.
+int runTool(const std::string& name, const std::function<int()>& body);
+
+/// The defaults, then the file ("" = none), then `settings` of the form a.b=value. Throws BadInput.
+RecognitionOptions recognitionOptions(const std::string& yaml_path, const std::vector<std::string>& settings);
+
+/// A counter on stderr: one line that is rewritten on a terminal, else a line now and then.
+class Progress {
+ public:
+  Progress(size_t total, bool shown = true);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  /// One more is done.
+  void step(const std::string& text);
+
+ private:
+  void endLine();
+  size_t total_, done_ = 0;
+  bool shown_, terminal_, open_ = false;
+};
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,87 @@
+#include "monocular_eye_hand/evaluation/lens.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+Camera pinhole() {
+  Camera camera;
+  camera.width = 320, camera.height = 240;
+  camera.fx = 350, camera.fy = 351, camera.cx = 160.2, camera.cy = 118.7;
+  return camera;
+}
+
+Camera lens() {
+  Camera camera = pinhole();
+  const double d[] = {-0.28, 0.08, 0.001, -0.0005, 0};
+  setDistortion(&camera, "plumb_bob", d, 5);
+  return camera;
+}
+
+// A smooth blob; its centre is found again by moments.
+cv::Mat blob(const Camera& camera, const Eigen::Vector2d& centre) {
+  cv::Mat image(camera.height, camera.width, CV_8UC1);
+  for (int v = 0; v < image.rows; ++v)
+    for (int u = 0; u < image.cols; ++u)
+      image.at<uchar>(v, u) =
+          cv::saturate_cast<uchar>(20 + 200 * std::exp(-(Eigen::Vector2d(u, v) - centre).squaredNorm() / 18));
+  return image;
+}
+
+Eigen::Vector2d centroid(const cv::Mat& image) {
+  cv::Mat above;
+  cv::threshold(image, above, 60, 0, cv::THRESH_TOZERO);
+  const cv::Moments m = cv::moments(above);
+  return {m.m10 / m.m00, m.m01 / m.m00};
+}
+
+TEST(LensWarp, a_point_lands_where_the_lens_puts_it) {
+  LensWarp warp;
+  for (const Eigen::Vector2d& uv :
+       {Eigen::Vector2d(60, 50), Eigen::Vector2d(250, 180), Eigen::Vector2d(160, 120)}) {
+    const cv::Mat raw = warp.apply(blob(pinhole(), uv), lens());
+    EXPECT_LT((centroid(raw) - lens().distort(uv)).norm(), 0.15) << uv.transpose();
+  }
+  // ... which is a long way from where it was.
+  EXPECT_GT((lens().distort({60, 50}) - Eigen::Vector2d(60, 50)).norm(), 3);
+}
+
+TEST(LensWarp, no_distortion_changes_nothing) {
+  LensWarp warp;
+  const cv::Mat ideal = blob(pinhole(), {100, 100});
+  EXPECT_EQ(cv::norm(warp.apply(ideal, pinhole()), ideal, cv::NORM_INF), 0);
+}
+
+TEST(LensWarp, another_lens_gets_another_map) {
+  LensWarp warp;
+  const cv::Mat ideal = blob(pinhole(), {60, 50});
+  const cv::Mat first = warp.apply(ideal, lens());
+  warp.apply(ideal, pinhole());
+  EXPECT_EQ(cv::norm(warp.apply(ideal, lens()), first, cv::NORM_INF), 0);
+}
+
+TEST(LensWarp, the_sizes_must_agree) {
+  LensWarp warp;
+  EXPECT_THROW(warp.apply(cv::Mat(10, 10, CV_8UC1, cv::Scalar(0)), lens()), BadInput);
+}
+
+TEST(Resized, image_and_camera_agree) {
+  const Eigen::Vector3d p(0.05, -0.1, 1);
+  for (double factor : {2.0, 0.5, 1.37}) {
+    const CameraImage out = resized({blob(pinhole(), pinhole().project(p)), pinhole()}, factor);
+    EXPECT_EQ(out.grey.cols, out.camera.width);
+    EXPECT_EQ(out.grey.rows, out.camera.height);
+    EXPECT_LT((centroid(out.grey) - out.camera.project(p)).norm(), 0.15 * std::max(1.0, factor)) << factor;
+  }
+  EXPECT_THROW(resized({blob(pinhole(), {1, 1}), pinhole()}, 0), BadInput);
+  EXPECT_THROW(resized({blob(pinhole(), {1, 1}), pinhole()}, 1e-4), BadInput);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
