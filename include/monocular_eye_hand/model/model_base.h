@@ -9,11 +9,21 @@ namespace monocular_eye_hand {
 
 /// How a CAD file becomes an ObjectModel.
 struct ModelOptions {
-  double sharp_angle = 0.35;        ///< smallest dihedral of a sharp edge [rad]
-  double weld_tolerance = 1e-6;     ///< vertices nearer than this share of the diameter are one
-  double symmetry_tolerance = 2e-3; ///< largest surface distance of a symmetric copy, as a share of the diameter
+  double sharp_angle = 0.35;     ///< smallest dihedral of a sharp edge [rad]
+  double weld_tolerance = 1e-6;  ///< vertices nearer than this share of the diameter are one
+  double symmetry_tolerance =
+      2e-3;  ///< largest surface distance of a symmetric copy, as a share of the diameter
   bool find_symmetries = true;
+
   void check() const;
+  /// Calls v("field", field) for every field: readers fill options by name.
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("sharp_angle", sharp_angle);
+    v("weld_tolerance", weld_tolerance);
+    v("symmetry_tolerance", symmetry_tolerance);
+    v("find_symmetries", find_symmetries);
+  }
 };
 
 /// Metres per unit: "m", "cm", "mm", "inch". Throws BadInput naming the known ones.
@@ -22,7 +32,8 @@ double metresPerUnit(const std::string& unit);
 /// Reads STL, OBJ, PLY or DAE. Throws BadInput when it is missing, damaged, empty or not finite.
 Mesh loadMesh(const std::string& path, const std::string& unit);
 
-/// Welds, finds surfaces, sharp edges, circles, corners, symmetries; fills warnings. Throws BadInput on an empty mesh.
+/// Welds, finds surfaces, sharp edges, circles, corners, symmetries; fills warnings. Throws BadInput on an
+/// empty mesh.
 ObjectModel buildModel(const std::string& name, const Mesh& mesh, const ModelOptions& options = {});
 
 /// A known object with everything recognition needs, compiled once.
@@ -41,13 +52,13 @@ struct ModelBase {
 /// One entry of a model base file.
 struct ObjectEntry {
   std::string name;
-  std::string mesh;         ///< path, absolute or relative to the YAML
+  std::string mesh;  ///< path, absolute or relative to the YAML
   std::string unit = "mm";
   ModelOptions options;
 };
 
-/// Reads the list of objects of config/objects.yaml: `objects: [{name, mesh, unit, ...overrides}]`. Unknown keys,
-/// double names and missing files are BadInput.
+/// Reads the list of objects of config/objects.yaml: `objects: [{name, mesh, unit, ...overrides}]`. Unknown
+/// keys, double names and missing files are BadInput.
 std::vector<ObjectEntry> readObjectEntries(const std::string& yaml_path);
 
 /// Builds and compiles the entries, using the cache folder ("" = $XDG_CACHE_HOME or ~/.cache,

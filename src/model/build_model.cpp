@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "build_model.h"
+#include "contour_index.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/ray_scene.h"
+#include "sharp_features.h"
+#include "symmetry.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+std::string number(double value, const char* format) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+void warnAboutMesh(const RepairedMesh& repaired, ObjectModel* model) {
+  auto& warnings = model->warnings;
+  if (model->diameter < 0.005 || model->diameter > 5) {
+    warnings.push_back("the diameter is " + number(1000 * model->diameter, "%.4g") +
+                       " mm: is the stated unit right?");
+  }
+  if (repaired.rim_edges > 0) {
+    warnings.push_back("the mesh is open: " + std::to_string(repaired.rim_edges) +
+                       " edges have only one triangle; faces may be missing");
+  }
+  if (repaired.crowded_edges > 0) {
+    warnings.push_back(std::to_string(repaired.crowded_edges) +
+                       " edges join more than two triangles: solids touch or overlap; unite them in CAD");
+  }
+  if (repaired.turned > 0) {
+    warnings.push_back(std::to_string(repaired.turned) +
+                       " triangles had their corners in the wrong order and were turned");
+  }
+  if (repaired.inside_out) warnings.push_back("the mesh was inside out and was turned");
+  if (repaired.degenerate > 0) {
+    warnings.push_back(std::to_string(repaired.degenerate) + " triangles without area were dropped");
+  }
+  if (model->edges.empty() && model->circles.empty()) {
+    warnings.push_back("no sharp edge or circle at all: only its outline can be recognised");
+  }
+}
+
+}  // namespace
+
+void ModelOptions::check() const {
+  const auto refuse = [](const char* field, double value, const char* rule) {
+    throw BadInput(std::string("ModelOptions.") + field + " is " + number(value, "%g") + "; it must be " +
+                   rule);
+  };
+  if (!(sharp_angle >= 0.02 && sharp_angle <= 1.5)) refuse("sharp_angle", sharp_angle, "0.02 to 1.5 rad");
+  if (!(weld_tolerance >= 0 && weld_tolerance <= 1e-2)) refuse("weld_tolerance", weld_tolerance, "0 to 0.01");
+  if (!(symmetry_tolerance > 0 && symmetry_tolerance <= 0.05)) {
+    refuse("symmetry_tolerance", symmetry_tolerance, "above 0, at most 0.05");
+  }
+}
+
+std::string turnText(const Rigid3& motion) {
+  const Eigen::AngleAxisd turn(motion.rotation);
+  return number(turn.angle() * 57.29577951308232, "%.4g") + " deg about (" + number(turn.axis().x(), "%.3g") +
+         ", " + number(turn.axis().y(), "%.3g") + ", " + number(turn.axis().z(), "%.3g") + ")";
+}
+
+ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOptions& options) {
+  options.check();
+  ObjectModel model;
+  model.name = name;
+  RepairedMesh repaired = repairMesh(name, mesh, options.weld_tolerance);
+  model.mesh = std::move(repaired.mesh);
+  for (const Eigen::Vector3d& v : model.mesh.vertices) model.bounds.extend(v);
+  model.diameter = meshDiameter(model.mesh.vertices);
+  model.closed = repaired.closed;
+  const Topology topology = buildTopology(model.mesh);
+  SurfaceSplit split = splitSurfaces(model.mesh, topology, options.sharp_angle, repaired.tolerance);
+  SharpFeatures features = findSharpFeatures(model.mesh, topology, split, repaired.tolerance);
+  model.surfaces = std::move(split.surfaces);
+  model.surface_of_triangle = std::move(split.surface_of_triangle);
+  model.tessellation_error = split.tessellation_error;
+  model.edges = std::move(features.edges);
+  model.circles = std::move(features.circles);
+  model.corners = std::move(features.corners);
+  for (const ModelCircle& c : model.circles) {
+    model.tessellation_error = std::max(model.tessellation_error, c.radius * (1 - std::cos(0.5 * c.segment)));
+  }
+  model.rays = std::make_shared<RayScene>(model.mesh);
+  model.contour_index = std::make_shared<ContourIndex>(model, topology, split.sharp);
+  warnAboutMesh(repaired, &model);
+  return model;
+}
+
+SymmetryResult symmetriesOf(const ObjectModel& model, const ModelOptions& options) {
+  if (!options.find_symmetries) return {};
+  return findSymmetries(model, options.symmetry_tolerance * model.diameter);
+}
+
+void setSymmetries(const SymmetryResult& found, ObjectModel* model) {
+  model->symmetries = found.symmetries;
+  if (found.twins.empty()) return;
+  const NearSymmetry& t = found.twins.front();
+  model->warnings.push_back("nearly symmetric: turned by " + turnText(t.motion) + " only " +
+                            number(100 * t.differing, "%.1f") +
+                            " % of its surface differs; such views are easily taken for each other");
+}
+
+ObjectModel buildModel(const std::string& name, const Mesh& mesh, const ModelOptions& options) {
+  ObjectModel model = buildShape(name, mesh, options);
+  setSymmetries(symmetriesOf(model, options), &model);
+  return model;
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,17 @@
+#pragma once
+#include "monocular_eye_hand/model/model_base.h"
+#include "symmetry.h"
+
+namespace monocular_eye_hand {
+
+// buildModel in steps, so that the slow one can come from the cache.
+
+/// Everything but the symmetries.
+ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOptions& options);
+SymmetryResult symmetriesOf(const ObjectModel& model, const ModelOptions& options);
+/// Enters the symmetries and the warning about near symmetries.
+void setSymmetries(const SymmetryResult& found, ObjectModel* model);
+/// "180 deg about (0, 0, 1)".
+std::string turnText(const Rigid3& motion);
+
+}  // namespace monocular_eye_hand

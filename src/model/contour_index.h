@@ -1,0 +1,66 @@
+#pragma once
+#include <vector>
+
+#include "monocular_eye_hand/model/object_model.h"
+#include "topology.h"
+
+namespace monocular_eye_hand {
+
+/// A piece [low, high] of a generator line [m along the axis].
+struct Interval {
+  double low, high;
+};
+
+/// The wall of a convex fitted cylinder, unrolled: which heights exist at which angle.
+struct CylinderWall {
+  int group = 0;
+  Eigen::Vector3d point, axis, x, y;
+  double radius = 0, start = 0;  ///< start: how far outside the wall visibility rays begin [m]
+  struct Triangle {
+    double angle[3];  ///< angle[0] in (-pi, pi], the others within pi of it
+    double height[3];
+    double low, high;  ///< range of the angles
+  };
+  std::vector<Triangle> triangles;
+
+  /// Heights that the wall covers at `angle`, joined and ascending.
+  void cover(double angle, std::vector<Interval>* out) const;
+};
+
+/// A free-form surface with vertex normals: its silhouette runs where normal . view ray crosses zero.
+struct FreeformPatch {
+  int group = 0;
+  double start = 0;
+  std::vector<Eigen::Vector3d> points, normals;
+  struct Triangle {
+    int corner[3];
+    int edge[3];  ///< local number of the edge from corner k to corner k + 1
+  };
+  std::vector<Triangle> triangles;
+  int edge_count = 0;
+};
+
+/// What visibleContour prepares once per model.
+class ContourIndex {
+ public:
+  ContourIndex(const ObjectModel& model, const Topology& topology, const std::vector<char>& sharp);
+  std::vector<CylinderWall> walls;
+  std::vector<FreeformPatch> patches;
+  double start = 0;  ///< how far outside the surface visibility rays of sharp features begin [m]
+
+ private:
+  void addWall(const ObjectModel& model, int surface);
+  void addPatch(const ObjectModel& model, const Topology& topology, const std::vector<char>& sharp,
+                int surface);
+};
+
+/// Vertices of a smooth line, walked at a fixed step.
+struct Polyline {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3d> normals;
+};
+
+/// Silhouette lines of a free-form patch seen from `eye`.
+std::vector<Polyline> silhouetteLines(const FreeformPatch& patch, const Eigen::Vector3d& eye);
+
+}  // namespace monocular_eye_hand
