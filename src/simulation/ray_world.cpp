@@ -153,8 +153,8 @@ bool RayWorld::blocked(const Eigen::Vector3f& origin, const Eigen::Vector3f& dir
 }
 
 Eigen::Vector3f RayWorld::smoothNormal(const Hit& hit) const {
-  const size_t mesh = hit.id == kTableId ? corner_normals_.size() - 1 : size_t(hit.id);
-  const Eigen::Vector3f* corner = &corner_normals_[mesh][3 * hit.triangle];
+  if (hit.id == kTableId) return hit.normal;
+  const Eigen::Vector3f* corner = &corner_normals_[hit.id][3 * hit.triangle];
   const Eigen::Vector3f n =
       ((1 - hit.u - hit.v) * corner[0] + hit.u * corner[1] + hit.v * corner[2]).normalized();
   return n.dot(hit.normal) < 0 ? Eigen::Vector3f(-n) : n;

@@ -75,6 +75,7 @@ class CameraRays {
 
 struct Pixel {
   float mean = 0;
+  float plain = 0;     // mean without texture: what asks for more samples
   bool mixed = false;  // its samples differ
   int id = kNothingId;
 };
@@ -82,17 +83,19 @@ struct Pixel {
 Pixel samplePixel(const Shader& shader, const CameraRays& rays, int x, int y, int per_axis, uint32_t seed) {
   const PixelSampler sampler(seed, x, y, per_axis);
   Pixel pixel;
-  float sum = 0, low = 0, high = 0;
+  float sum = 0, plain = 0, low = 0, high = 0;
   for (int k = 0; k < sampler.count(); ++k) {
     const Shader::Sample s =
         shader.radiance(rays.origin(), rays.direction(x, y, sampler.at(k, 0)), sampler, k);
-    if (k == 0) pixel.id = s.id, low = high = s.radiance;
+    if (k == 0) pixel.id = s.id, low = high = s.plain;
     pixel.mixed = pixel.mixed || s.id != pixel.id;
-    low = std::min(low, s.radiance);
-    high = std::max(high, s.radiance);
+    low = std::min(low, s.plain);
+    high = std::max(high, s.plain);
     sum += s.radiance;
+    plain += s.plain;
   }
   pixel.mean = sum / float(sampler.count());
+  pixel.plain = plain / float(sampler.count());
   pixel.mixed = pixel.mixed || differ(low, high);
   return pixel;
 }
@@ -102,7 +105,7 @@ Pixel samplePixel(const Shader& shader, const CameraRays& rays, int x, int y, in
 // finely.
 cv::Mat1b roughPixels(const std::vector<Pixel>& pixels, int width, int height) {
   cv::Mat1b rough(height, width, uchar(0));
-  const auto unlike = [](const Pixel& a, const Pixel& b) { return a.id != b.id || differ(a.mean, b.mean); };
+  const auto unlike = [](const Pixel& a, const Pixel& b) { return a.id != b.id || differ(a.plain, b.plain); };
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const Pixel& here = pixels[size_t(y) * width + x];

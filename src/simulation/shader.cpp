@@ -12,6 +12,13 @@ namespace {
 
 constexpr float kLift = 2e-5f;  // secondary rays start this far above the surface [m]
 
+// Blinn-Phong lobe, scaled to the same total for every exponent.
+double highlight(const Material& material, double half_cosine) {
+  if (material.specular <= 0 || half_cosine <= 0) return 0;
+  const float exponent = float(material.shininess) * std::log2(float(half_cosine));
+  return exponent < -14 ? 0 : (material.shininess + 2) / 8 * std::exp2(exponent);
+}
+
 // An odd number coprime to the count makes k -> (stride k + shift) mod count a permutation.
 int coprimeStride(int count, uint32_t bits) {
   static const int kPrimes[] = {11, 13, 17, 19, 23, 29, 31, 37};
@@ -59,42 +66,46 @@ double Shader::ambientAt(const Eigen::Vector3f& p, const Eigen::Vector3f& n,
   return world_.blocked(p, direction, float(options_.occlusion_range)) ? 0 : scene_.ambient;
 }
 
+bool Shader::shadowed(const Eigen::Vector3f& p, const LightFrame& light,
+                      const Eigen::Vector2d& square) const {
+  const Eigen::Vector2d disc = discPoint(square);
+  const Eigen::Vector3f to_light = light.centre + float(disc.x()) * light.x + float(disc.y()) * light.y - p;
+  const float distance = to_light.norm();
+  return world_.blocked(p, to_light / distance, distance);
+}
+
 Shader::Sample Shader::radiance(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                                 const PixelSampler& sampler, int sample) const {
   const RayWorld::Hit hit = world_.cast(origin, direction);
-  if (hit.id == kNothingId) return {float(scene_.background), hit.id};
+  if (hit.id == kNothingId) return {float(scene_.background), float(scene_.background), hit.id};
   const Eigen::Vector3f n = world_.smoothNormal(hit);
   const Eigen::Vector3f surface = origin + hit.distance * direction;
   const Eigen::Vector3f p = surface + kLift * hit.normal;
   const bool table = hit.id == kTableId;
   const Material& material = table ? scene_.table.material : scene_.objects[hit.id].material;
-  double albedo = material.albedo;
+  const double albedo = material.albedo;
+  double texture = 1;
   if (material.texture.kind != Texture::Kind::kPlain) {
     const Rigid3 object_from_world = table ? Rigid3{} : object_from_world_[hit.id];
-    albedo *= textureFactor(material.texture, object_from_world * surface.cast<double>(),
+    texture = textureFactor(material.texture, object_from_world * surface.cast<double>(),
                             object_from_world.rotation * hit.normal.cast<double>());
   }
-  double diffuse = ambientAt(p, hit.normal, sampler.at(sample, 1)), highlight = 0;
+  double diffuse = ambientAt(p, hit.normal, sampler.at(sample, 1)), highlights = 0;
   for (size_t k = 0; k < lights_.size(); ++k) {
-    const Eigen::Vector2d square = sampler.at(sample, 2 + int(k));
-    const double r = std::sqrt(square.x()), angle = 2 * M_PI * square.y();
-    const Eigen::Vector3f target = lights_[k].centre + float(r * std::cos(angle)) * lights_[k].x +
-                                   float(r * std::sin(angle)) * lights_[k].y;
-    Eigen::Vector3f to_light = target - p;
-    const float distance = to_light.norm();
-    to_light /= distance;
+    // The disc's middle gives the amount of light, a sampled point of it the shadow: smooth where nothing is
+    // hidden.
+    Eigen::Vector3f to_light = lights_[k].centre - p;
+    const float square_distance = to_light.squaredNorm();
+    to_light /= std::sqrt(square_distance);
     const float cosine = n.dot(to_light);
     if (cosine <= 0 || hit.normal.dot(to_light) <= 0) continue;
-    if (options_.shadows && world_.blocked(p, to_light, distance)) continue;
-    const double irradiance = scene_.lights[k].intensity / (double(distance) * distance) * cosine;
+    if (options_.shadows && shadowed(p, lights_[k], sampler.at(sample, 2 + int(k)))) continue;
+    const double irradiance = scene_.lights[k].intensity / square_distance * cosine;
     diffuse += irradiance;
-    if (material.specular > 0) {
-      const float half = n.dot((to_light - direction).normalized());
-      highlight +=
-          irradiance * (material.shininess + 2) / 8 * std::pow(std::max(0.f, half), material.shininess);
-    }
+    highlights += irradiance * highlight(material, n.dot((to_light - direction).normalized()));
   }
-  return {float(albedo * diffuse + material.specular * highlight), hit.id};
+  const double shine = material.specular * highlights;
+  return {float(albedo * texture * diffuse + shine), float(albedo * diffuse + shine), hit.id};
 }
 
 }  // namespace monocular_eye_hand

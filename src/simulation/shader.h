@@ -1,8 +1,17 @@
 #pragma once
+#include <cmath>
+
 #include "monocular_eye_hand/simulation/render.h"
 #include "ray_world.h"
 
 namespace monocular_eye_hand {
+
+/// Maps the unit square to the unit disc (Shirley and Chiu would be area-true; this one needs no angle
+/// functions and makes the disc a little brighter near four points of its rim).
+inline Eigen::Vector2d discPoint(const Eigen::Vector2d& square) {
+  const double u = 2 * square.x() - 1, v = 2 * square.y() - 1;
+  return {u * std::sqrt(1 - 0.5 * v * v), v * std::sqrt(1 - 0.5 * u * u)};
+}
 
 /// Points of a sample in the unit square, stratified over the samples of a pixel in every dimension.
 class PixelSampler {
@@ -22,20 +31,22 @@ class Shader {
   Shader(const Scene& scene, const RayWorld& world, const RenderOptions& options);
   struct Sample {
     float radiance;
+    float plain;  ///< the same without the texture
     int id;
   };
   Sample radiance(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                   const PixelSampler& sampler, int sample) const;
 
  private:
+  struct LightFrame {
+    Eigen::Vector3f centre, x, y;  // x, y span the disc, length = radius
+  };
+  bool shadowed(const Eigen::Vector3f& p, const LightFrame& light, const Eigen::Vector2d& square) const;
   double ambientAt(const Eigen::Vector3f& p, const Eigen::Vector3f& n, const Eigen::Vector2d& square) const;
 
   const Scene& scene_;
   const RayWorld& world_;
   const RenderOptions& options_;
-  struct LightFrame {
-    Eigen::Vector3f centre, x, y;  // x, y span the disc, length = radius
-  };
   std::vector<LightFrame> lights_;
   std::vector<Rigid3> object_from_world_;
 };

@@ -8,22 +8,22 @@ namespace monocular_eye_hand {
 namespace {
 
 double lattice(int x, int y, int z, uint32_t seed) {
-  return 2 * unitInterval(mixBits(mixBits(mixBits(seed, uint32_t(x)), uint32_t(y)), uint32_t(z))) - 1;
+  const uint32_t cell = uint32_t(x) * 0x8da6b343u ^ uint32_t(y) * 0xd8163841u ^ uint32_t(z) * 0xcb1ab31fu;
+  return 2 * unitInterval(mixBits(cell + seed)) - 1;
 }
+
+double mix(double a, double b, double share) { return a + share * (b - a); }
 
 // Value noise, -1..1, one blotch per unit.
 double noise(const Eigen::Vector3d& p, uint32_t seed) {
-  const Eigen::Vector3d cell = p.array().floor();
-  const Eigen::Vector3d f = p - cell;
-  const Eigen::Vector3d s = f.array().square() * (3 - 2 * f.array());
-  const int x = int(cell.x()), y = int(cell.y()), z = int(cell.z());
-  double value = 0;
-  for (int k = 0; k < 8; ++k) {
-    const int dx = k & 1, dy = (k >> 1) & 1, dz = k >> 2;
-    value += (dx ? s.x() : 1 - s.x()) * (dy ? s.y() : 1 - s.y()) * (dz ? s.z() : 1 - s.z()) *
-             lattice(x + dx, y + dy, z + dz, seed);
-  }
-  return value;
+  const double fx = std::floor(p.x()), fy = std::floor(p.y()), fz = std::floor(p.z());
+  const int x = int(fx), y = int(fy), z = int(fz);
+  const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
+  const double sx = smooth(p.x() - fx), sy = smooth(p.y() - fy), sz = smooth(p.z() - fz);
+  const auto row = [&](int dy, int dz) {
+    return mix(lattice(x, y + dy, z + dz, seed), lattice(x + 1, y + dy, z + dz, seed), sx);
+  };
+  return mix(mix(row(0, 0), row(1, 0), sy), mix(row(0, 1), row(1, 1), sy), sz);
 }
 
 double fractalNoise(const Eigen::Vector3d& p, uint32_t seed) {
@@ -34,14 +34,15 @@ double fractalNoise(const Eigen::Vector3d& p, uint32_t seed) {
 }
 
 double wood(const Eigen::Vector3d& p, double scale, uint32_t seed) {
-  // Rings about an axis along x below the table, bent by slow noise, with fine grain along x.
+  // Year rings about an axis along x below the table, bent by slow noise; pores drawn out along x.
   const Eigen::Vector3d q = p / scale;
-  const double bend = 1.1 * noise({q.x() * 0.12, q.y() * 0.35, q.z() * 0.35}, seed);
-  const double ring = std::hypot(q.y() + 1.7, q.z() + 3.3) + bend;
+  const double bend = 1.6 * noise({q.x() * 0.05, q.y() * 0.22, q.z() * 0.22}, seed);
+  const double ring = 0.8 * std::hypot(q.y() + 1.7, q.z() + 5.3) + bend;
   const double phase = ring - std::floor(ring);
-  const double late_wood = phase < 0.8 ? phase / 0.8 : (1 - phase) / 0.2;
-  const double grain = noise({q.x() * 0.8, q.y() * 14, q.z() * 14}, mixBits(seed, 7));
-  return 0.75 * (1 - 2 * late_wood * late_wood) + 0.25 * grain;
+  const double late_wood = phase < 0.7 ? phase / 0.7 : (1 - phase) / 0.3;
+  const double pores = noise({q.x() * 0.6, q.y() * 12, q.z() * 12}, mixBits(seed, 7));
+  const double blotches = noise({q.x() * 0.2, q.y() * 1.3, q.z() * 1.3}, mixBits(seed, 9));
+  return 0.35 * (1 - 2 * late_wood * late_wood) + 0.4 * pores + 0.25 * blotches;
 }
 
 double bricks(const Eigen::Vector3d& p, const Eigen::Vector3d& n, double scale, uint32_t seed) {
