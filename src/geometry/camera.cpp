@@ -72,6 +72,9 @@ Eigen::Matrix3d Camera::intrinsics() const {
 }
 
 Camera Camera::resized(double factor) const {
+  const double least = 0.5 / std::min(width, height), most = 1e5 / std::max(width, height);
+  if (!(factor >= least && factor <= most))
+    refuse("resize factor", factor, "leaves no image, or one too large");
   Camera c = *this;
   c.width = int(std::lround(width * factor));
   c.height = int(std::lround(height * factor));
@@ -104,6 +107,11 @@ void Camera::check() const {
 
 void setDistortion(Camera* camera, const std::string& ros_name, const double* coefficients, size_t count) {
   camera->d.fill(0);
+  if (!ros_name.empty() && ros_name != "plumb_bob" && ros_name != "rational_polynomial")
+    throw BadInput(
+        "camera: distortion model '" + ros_name +
+        "' is not supported; known: plumb_bob, rational_polynomial. Rectify the image first and use "
+        "image_rect.");
   const bool all_zero = std::all_of(coefficients, coefficients + count, [](double v) { return v == 0; });
   if (count == 0 || (ros_name.empty() && all_zero)) {
     camera->model = DistortionModel::kNone;
@@ -113,15 +121,11 @@ void setDistortion(Camera* camera, const std::string& ros_name, const double* co
     if (count > 5)
       throw BadInput("camera: plumb_bob has at most 5 distortion coefficients, got " + std::to_string(count));
     camera->model = DistortionModel::kPlumbBob;
-  } else if (ros_name == "rational_polynomial") {
+  } else {
     if (count > 8 && !std::all_of(coefficients + 8, coefficients + count, [](double v) { return v == 0; }))
       throw BadInput("camera: rational_polynomial is supported with 8 distortion coefficients, got " +
                      std::to_string(count) + " (thin prism and tilt terms are not)");
     camera->model = DistortionModel::kRationalPolynomial;
-  } else {
-    throw BadInput("camera: distortion model '" + ros_name +
-                   "' is not supported; known: plumb_bob, rational_polynomial. Rectify the image first and use "
-                   "image_rect.");
   }
   std::copy(coefficients, coefficients + std::min<size_t>(count, 8), camera->d.begin());
 }

@@ -33,6 +33,8 @@ Camera loadCamera(const std::string& yaml_path) {
     camera.width = root["image_width"].as<int>();
     camera.height = root["image_height"].as<int>();
     const std::vector<double> k = readMatrix(root, "camera_matrix", 3, 3);
+    if (k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1)
+      throw BadInput("'camera_matrix' is not of the form [fx 0 cx; 0 fy cy; 0 0 1], row by row");
     camera.fx = k[0], camera.cx = k[2], camera.fy = k[4], camera.cy = k[5];
     if (root["distortion_coefficients"]) {
       const std::vector<double> d = readMatrix(root, "distortion_coefficients", 0, 0);

@@ -77,7 +77,6 @@ CirclePoses circlePoses(const Ellipse& ellipse, const Camera& camera, double rad
                cosine = std::sqrt((l2 - l3) / (l1 - l3));
   const double range = radius / std::sqrt(-l1 * l3);
   const Eigen::Vector3d e1 = turn.transpose() * v.col(order[0]), e3 = turn.transpose() * v.col(order[2]);
-  double tilt[2];
   for (int i = 0; i < 2; ++i) {
     const double sign = i == 0 ? 1 : -1;
     Eigen::Vector3d normal = sign * sine * e1 + cosine * e3;
@@ -85,9 +84,8 @@ CirclePoses circlePoses(const Ellipse& ellipse, const Camera& camera, double rad
     if (centre.z() < 0) centre = -centre;
     if (normal.dot(centre) > 0) normal = -normal;
     result.pose[i] = {centre, normal.normalized()};
-    tilt[i] = normal.cross(centre).squaredNorm() / centre.squaredNorm();
   }
-  if (tilt[1] < tilt[0]) std::swap(result.pose[0], result.pose[1]);
+  if (result.pose[1].normal.y() < result.pose[0].normal.y()) std::swap(result.pose[0], result.pose[1]);
   result.count = 2;
   return result;
 }

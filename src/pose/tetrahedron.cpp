@@ -147,6 +147,11 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
     const double q1 = q.dot(j[0]), q2 = q.dot(j[1]), q3 = q.dot(j[2]);
     const double h1 = h.dot(j[0]), h2 = h.dot(j[1]), h3 = h.dot(j[2]);
     const double r1 = 0.5 * (q.squaredNorm() - 1), r2 = q.dot(h), r3 = 0.5 * (h.squaredNorm() - altitude2);
+    const double noise = 4e-16 * (legs[0] + legs[1] + legs[2]);  // a step from less would be made of rounding
+    if (std::abs(r1) < noise && std::abs(r2) < noise && std::abs(r3) < noise * t.altitude) {
+      step = 0;
+      break;
+    }
     // rows: (-q1, q2, 0), (-h1 - g q1, h2 - f q2, q3), (-g h1, -f h2, h3)
     const double b1 = -h1 - g * q1, b2 = h2 - f * q2, c1 = -g * h1, c2 = -f * h2;
     const double m1 = b2 * h3 - q3 * c2, m2 = b1 * h3 - q3 * c1;
