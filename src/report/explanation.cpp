@@ -1,0 +1,213 @@
+#include "monocular_eye_hand/report/explanation.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "html.h"
+#include "monocular_eye_hand/drawing/overlays.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/report/result_drawing.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+std::string count(size_t number, const std::string& one, const std::string& many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
+
+std::string decisionText(Decision decision) {
+  if (decision == Decision::kAccepted) return "accepted";
+  return decision == Decision::kAmbiguous ? "ambiguous" : "rejected";
+}
+
+std::string poseText(const Rigid3& camera_from_object) {
+  const Eigen::Vector3d t = camera_from_object.translation * 1000;
+  const Eigen::Quaterniond q = camera_from_object.quaternion();
+  return "(" + shortNumber(t.x()) + ", " + shortNumber(t.y()) + ", " + shortNumber(t.z()) +
+         ") mm, quaternion x y z w (" + shortNumber(q.x()) + ", " + shortNumber(q.y()) + ", " +
+         shortNumber(q.z()) + ", " + shortNumber(q.w()) + ")";
+}
+
+// Standard deviations of the position and, the free axis aside, of the rotation.
+std::string accuracyText(const RecognizedObject& object) {
+  const auto sigma = [&](int k) { return std::sqrt(std::max(0.0, object.covariance(k, k))); };
+  std::string text = shortNumber(1000 * sigma(0)) + ", " + shortNumber(1000 * sigma(1)) + ", " +
+                     shortNumber(1000 * sigma(2)) + " mm";
+  const double degrees = 180 / M_PI;
+  text += "; " + shortNumber(degrees * sigma(3)) + ", " + shortNumber(degrees * sigma(4)) + ", " +
+          shortNumber(degrees * sigma(5)) + " deg";
+  return object.free_axis ? text + " (one axis free)" : text;
+}
+
+class Explanation {
+ public:
+  Explanation(const std::string& folder, const cv::Mat& grey, const ModelBase& models,
+              const RecognitionResult& result, const ExplanationOptions& options)
+      : folder_(folder),
+        grey_(grey),
+        models_(models),
+        result_(result),
+        options_(options),
+        page_(options.title) {}
+
+  std::string write() {
+    outcome();
+    stages();
+    features();
+    groupings();
+    candidates();
+    const std::string path = (folder_ / "index.html").string();
+    std::ofstream file(path, std::ios::binary);
+    file << page_.text();
+    if (!file.flush()) throw BadInput(path + ": cannot be written");
+    return path;
+  }
+
+ private:
+  void picture(const std::string& file, const cv::Mat& image) {
+    writePicture((folder_ / file).string(), image);
+  }
+  void figure(const std::string& file, const cv::Mat& image, const std::string& caption, bool wide = false) {
+    picture(file, image);
+    page_.figure(file, caption, wide);
+  }
+
+  void outcome() {
+    page_.heading("Result", "result");
+    const Camera& camera = result_.features.camera;
+    if (result_.objects.empty())
+      page_.paragraph("Nothing found. " + result_.reason);
+    else
+      page_.paragraph(count(result_.objects.size(), "object", "objects") + " found.");
+    if (result_.truncated) page_.paragraph("The time limit ended the search before everything was tried.");
+    figure("result.png", drawResult(grey_, camera, models_, result_),
+           "Accepted green, ambiguous amber; axes x red, y green, z blue", true);
+    if (result_.objects.empty()) return;
+    std::vector<HtmlPage::Row> rows;
+    for (const RecognizedObject& object : result_.objects)
+      rows.push_back(
+          {object.name, decisionText(object.decision), shortNumber(object.probability),
+           shortNumber(object.plausibility), shortNumber(object.reliability),
+           std::to_string(object.matched_features) + " of " + std::to_string(object.expected_features),
+           poseText(object.camera_from_object)});
+    page_.table({"object", "decision", "probability", "plausibility", "reliability", "features",
+                 "pose in the camera"},
+                rows);
+  }
+
+  void stages() {
+    page_.heading("Stages", "stages");
+    std::vector<HtmlPage::Row> rows;
+    double total = 0;
+    for (const StageReport& stage : result_.stages) {
+      std::string counts;
+      for (const auto& [name, value] : stage.counts)
+        counts += (counts.empty() ? "" : ", ") + shortNumber(value) + " " + name;
+      rows.push_back({stage.name, shortNumber(1000 * stage.seconds) + " ms", counts});
+      total += stage.seconds;
+    }
+    rows.push_back({"all", shortNumber(1000 * total) + " ms", ""});
+    page_.table({"stage", "time", "counts"}, rows);
+  }
+
+  void features() {
+    const FeatureSet& f = result_.features;
+    page_.heading("Features", "features");
+    page_.beginGrid();
+    figure("image.png", Canvas(grey_, f.camera).picture(), "The image as taken");
+    figure("traces.png", tracesPicture(grey_, f),
+           count(f.traces.size(), "edge trace", "edge traces") + ", " +
+               count(f.points.size(), "point", "points"));
+    size_t joined = 0;
+    for (const LineSegment& segment : f.segments) joined += segment.pieces.empty() ? 0 : 1;
+    figure("segments.png", segmentsPicture(grey_, f),
+           count(f.segments.size() - joined, "straight segment", "straight segments") + " (yellow), " +
+               std::to_string(joined) + " joined across gaps (blue)");
+    figure("ellipses.png", ellipsesPicture(grey_, f),
+           count(f.arcs.size(), "elliptic arc", "elliptic arcs") + " (orange), " +
+               count(f.ellipses.size(), "ellipse", "ellipses") + " fitted to them");
+    page_.endGrid();
+  }
+
+  void groupings() {
+    page_.heading("Groupings", "groupings");
+    page_.paragraph(count(result_.groupings.size(), "grouping", "groupings") +
+                    " of features that likely belong to one part of one object. The pictures show the "
+                    "heaviest of each kind.");
+    page_.beginGrid();
+    figure("line_groups.png", lineGroupsPicture(grey_, result_.features, result_.groupings),
+           "Lines that corners connect, one colour per group");
+    int index = 0;
+    for (const GroupingPicture& shown : groupingPictures(grey_, result_.features, result_.groupings))
+      figure("groupings_" + std::to_string(index++) + ".png", shown.picture,
+             std::string(name(shown.kind)) + ": " + std::to_string(shown.shown) + " of " +
+                 std::to_string(shown.total));
+    page_.endGrid();
+  }
+
+  void candidate(const RecognizedObject& object, const std::string& file) {
+    picture(file, drawCandidate(grey_, result_.features.camera, models_, object));
+    HtmlPage::Card card;
+    card.picture = file;
+    card.title = objectLabel(object);
+    card.badge = card.badge_class = decisionText(object.decision);
+    card.text = object.reason;
+    card.terms = {{"pose", poseText(object.camera_from_object)},
+                  {"standard deviation", accuracyText(object)},
+                  {"plausibility", shortNumber(object.plausibility)},
+                  {"reliability", shortNumber(object.reliability)},
+                  {"features matched", std::to_string(object.matched_features) + " of " +
+                                           std::to_string(object.expected_features)},
+                  {"groupings explained", std::to_string(object.matched_groupings)},
+                  {"characteristic view", std::to_string(object.characteristic_view)}};
+    if (!object.symmetry.empty()) card.terms.push_back({"symmetry", object.symmetry});
+    for (const auto& [term, value] : object.evidence) card.terms.push_back({term, shortNumber(value)});
+    for (const Alternative& other : object.alternatives) {
+      const bool known = other.object >= 0 && other.object < int(models_.objects.size());
+      card.terms.push_back(
+          {"alternative", (known ? models_.objects[other.object].model.name : std::string("?")) + " " +
+                              shortNumber(other.probability) + " at " + poseText(other.camera_from_object)});
+    }
+    page_.card(card);
+  }
+
+  void candidates() {
+    page_.heading("Candidates", "candidates");
+    const size_t shown = std::min(result_.rejected.size(), size_t(options_.rejected));
+    page_.paragraph(count(result_.objects.size(), "candidate", "candidates") + " kept, " +
+                    std::to_string(result_.rejected.size()) + " judged and rejected; the best " +
+                    std::to_string(shown) + " of those are shown.");
+    page_.beginGrid();
+    for (size_t k = 0; k < result_.objects.size(); ++k)
+      candidate(result_.objects[k], "object_" + std::to_string(k) + ".png");
+    for (size_t k = 0; k < shown; ++k)
+      candidate(result_.rejected[k], "rejected_" + std::to_string(k) + ".png");
+    page_.endGrid();
+  }
+
+  std::filesystem::path folder_;
+  const cv::Mat& grey_;
+  const ModelBase& models_;
+  const RecognitionResult& result_;
+  const ExplanationOptions& options_;
+  HtmlPage page_;
+};
+
+}  // namespace
+
+void ExplanationOptions::check() const {
+  if (rejected < 0 || rejected > 1000)
+    throw BadInput("explanation options: rejected = " + std::to_string(rejected) + " must be 0..1000");
+}
+
+std::string writeExplanation(const std::string& folder, const cv::Mat& grey, const ModelBase& models,
+                             const RecognitionResult& result, const ExplanationOptions& options) {
+  options.check();
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput(folder + ": cannot be created (" + error.message() + ")");
+  return Explanation(folder, grey, models, result, options).write();
+}
+
+}  // namespace monocular_eye_hand

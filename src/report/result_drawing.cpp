@@ -1,0 +1,73 @@
+#include "monocular_eye_hand/report/result_drawing.h"
+
+#include <cstdio>
+
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+const ObjectModel& modelOf(const ModelBase& models, const RecognizedObject& object) {
+  if (object.object < 0 || object.object >= int(models.objects.size()))
+    throw BadInput("drawing: '" + object.name + "' is object " + std::to_string(object.object) +
+                   " of a model base with " + std::to_string(models.objects.size()) +
+                   ": draw with the model base that recognised it");
+  return models.objects[object.object].model;
+}
+
+void drawOne(Canvas* canvas, const ModelBase& models, const RecognizedObject& object, int width) {
+  ObjectStyle style;
+  style.colour = decisionColour(object.decision);
+  style.width = width;
+  style.axes = object.decision != Decision::kRejected;
+  style.label = objectLabel(object);
+  drawObject(canvas, modelOf(models, object), object.camera_from_object, style);
+}
+
+}  // namespace
+
+Colour decisionColour(Decision decision) {
+  switch (decision) {
+    case Decision::kAccepted:
+      return {80, 230, 90};
+    case Decision::kAmbiguous:
+      return {40, 190, 255};
+    case Decision::kRejected:
+      break;
+  }
+  return {90, 90, 250};
+}
+
+std::string objectLabel(const RecognizedObject& object) {
+  char number[32];
+  std::snprintf(number, sizeof(number), " %.2f", object.probability);
+  return object.name + number;
+}
+
+cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
+                   const RecognitionResult& result, bool with_rejected) {
+  Canvas canvas(grey, camera, 0.85);
+  // Best last: on top.
+  if (with_rejected)
+    for (size_t k = result.rejected.size(); k-- > 0;) drawOne(&canvas, models, result.rejected[k], 1);
+  for (size_t k = result.objects.size(); k-- > 0;) drawOne(&canvas, models, result.objects[k], 2);
+  if (result.objects.empty()) canvas.caption(result.reason.empty() ? "nothing found" : result.reason);
+  return canvas.picture();
+}
+
+cv::Mat drawCandidate(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
+                      const RecognizedObject& candidate) {
+  Canvas canvas(grey, camera, 0.8);
+  drawOne(&canvas, models, candidate, 2);
+  return canvas.picture();
+}
+
+std::vector<cv::Mat> drawBackProjections(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
+                                         const RecognitionResult& result) {
+  std::vector<cv::Mat> pictures;
+  for (const RecognizedObject& object : result.objects)
+    pictures.push_back(drawCandidate(grey, camera, models, object));
+  return pictures;
+}
+
+}  // namespace monocular_eye_hand
