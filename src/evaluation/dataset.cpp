@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 
 #include "json_file.h"
+#include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
@@ -154,9 +154,7 @@ std::vector<BopTarget> visibleTargets(const BopSplit& split, double min_visible)
 cv::Mat loadBopImage(const BopImage& image) {
   const std::string name = "scene " + std::to_string(image.scene) + ", image " + std::to_string(image.id);
   if (image.path.empty()) throw BadInput(name + ": no image file in gray/ or rgb/");
-  const cv::Mat grey = cv::imread(image.path, cv::IMREAD_GRAYSCALE);
-  if (grey.empty()) throw BadInput(image.path + ": cannot be read as an image");
-  return grey;
+  return loadGreyImage(image.path);
 }
 
 Camera bopCamera(const BopImage& image, int width, int height) {

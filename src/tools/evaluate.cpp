@@ -196,10 +196,12 @@ int main(int argc, char** argv) {
   app.add_option("--scale", args.scale, "resize images and camera by this factor")->capture_default_str();
   app.add_option("--options", args.options, "YAML of recognition options")->check(CLI::ExistingFile);
   app.add_option("--set", args.settings, "one option, KEY=VALUE or GROUP.KEY=VALUE; may be repeated")
+      ->expected(1)
       ->take_all();
   app.add_flag("--all", args.all, "write rejected candidates too");
   app.add_option("--out", args.out, "results file R.csv; R.times.csv is written beside it")->required();
   app.add_option("--dump", args.dump, "CSV of every judged candidate with its evidence and its error");
-  CLI11_PARSE(app, argc, argv);
+  int exit_code = 0;
+  if (!parseArguments(&app, argc, argv, &exit_code)) return exit_code;
   return runTool("evaluate", [&] { return evaluate(args); });
 }

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -11,6 +12,16 @@
 #include "monocular_eye_hand/options/options.h"
 
 namespace monocular_eye_hand {
+
+bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code) {
+  try {
+    app->parse(argc, argv);
+    return true;
+  } catch (const CLI::ParseError& e) {
+    *exit_code = app->exit(e) == 0 ? 0 : 1;
+    return false;
+  }
+}
 
 int runTool(const std::string& name, const std::function<int()>& body) {
   try {
@@ -25,7 +36,15 @@ int runTool(const std::string& name, const std::function<int()>& body) {
 RecognitionOptions recognitionOptions(const std::string& yaml_path,
                                       const std::vector<std::string>& settings) {
   RecognitionOptions options;
-  if (!yaml_path.empty()) options = loadOptions<RecognitionOptions>(yaml_path);
+  if (!yaml_path.empty()) {
+    const OptionTree tree = loadYaml(yaml_path);
+    const OptionTree* of_node = tree.find("recognition");
+    try {
+      readOptions(of_node ? *of_node : tree, &options);
+    } catch (const BadInput& e) {
+      throw BadInput(yaml_path + ": " + e.what());
+    }
+  }
   for (const std::string& setting : settings) {
     const size_t equals = setting.find('=');
     if (equals == 0 || equals == std::string::npos)

@@ -5,12 +5,21 @@
 
 #include "monocular_eye_hand/recognition/options.h"
 
+namespace CLI {
+class App;
+}
+
 namespace monocular_eye_hand {
+
+/// Parses the command line. True when the tool is to run; else *exit_code is what main returns: 0 after
+/// --help, 1 after a mistake, which has been told.
+bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code);
 
 /// Runs a tool's body: 0 or what it returns; bad input is told on stderr ("name: message") and gives 1.
 int runTool(const std::string& name, const std::function<int()>& body);
 
-/// The defaults, then the file ("" = none), then `settings` of the form a.b=value. Throws BadInput.
+/// The defaults, then the file ("" = none), then `settings` of the form a.b=value. A file that has the key
+/// `recognition` (the node's parameters, config/recognizer.yaml) gives what stands there. Throws BadInput.
 RecognitionOptions recognitionOptions(const std::string& yaml_path, const std::vector<std::string>& settings);
 
 /// A counter on stderr: one line that is rewritten on a terminal, else a line now and then.
