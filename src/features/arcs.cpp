@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kArcFitPoints = 48;
+constexpr int kArcFitPoints = 32;
 
 // A piece of the polygon that approximates a trace.
 struct Chord {
@@ -41,10 +41,12 @@ class ArcFinder {
  private:
   void makeChords(const std::vector<int>& breaks) {
     chords_.clear();
+    turned_.clear();
     for (size_t i = 0; i + 1 < breaks.size(); ++i) {
       const Eigen::Vector2f d =
           edges_.points[std::max(breaks[i], breaks[i + 1] - 1)].uv - edges_.points[breaks[i]].uv;
       chords_.push_back({breaks[i], breaks[i + 1], d.norm(), std::atan2(d.y(), d.x())});
+      turned_.push_back(i == 0 ? 0 : turned_.back() + wrap(chords_[i].angle - chords_[i - 1].angle));
     }
   }
 
@@ -70,9 +72,12 @@ class ArcFinder {
 
   EllipseFit fit(size_t begin, size_t end) const {
     const std::vector<PointRange> range{{chords_[begin].begin, chords_[end - 1].end - chords_[begin].begin}};
-    EllipseFit direct = fitEllipseDirect(edges_.points, range, kArcFitPoints);
+    const EllipseFit direct = fitEllipseDirect(edges_.points, range, kArcFitPoints);
     if (!direct.valid) return direct;
-    return refineEllipse(edges_.points, range, direct.ellipse, kArcFitPoints, 4);
+    // What the direct fit misses by far no refinement will save.
+    const EllipseFit first = refineEllipse(edges_.points, range, direct.ellipse, kArcFitPoints, 0);
+    if (!first.valid || first.rms > 3 * tolerance_) return first;
+    return refineEllipse(edges_.points, range, direct.ellipse, kArcFitPoints, 3);
   }
 
   bool believable(const EllipseFit& f, size_t begin, size_t end) const {
@@ -85,14 +90,19 @@ class ArcFinder {
     const double points_per_used = double(last - first) / f.count;
     const double arc = f.chi2 * points_per_used;
     const double line_cost = 12.0 * double(end - begin), arc_cost = 30.0;
-    return 0.5 * arc / correlation_length_ + arc_cost < 0.5 * lines / correlation_length_ + line_cost ||
-           arc < 1.5 * (last - first);
+    return 0.5 * arc / correlation_length_ + arc_cost < 0.5 * lines / correlation_length_ + line_cost;
+  }
+
+  // Enough points, and a turn between the middles of the end chords that leaves a chance of the least sweep.
+  bool worthTrying(size_t begin, size_t end) const {
+    return chords_[end - 1].end - chords_[begin].begin >= 8 &&
+           std::fabs(turned_[end - 1] - turned_[begin]) > 0.6 * options_.min_arc_sweep;
   }
 
   // Accepts the run, or the longer part after dropping the end chord whose loss helps more, or its two
   // halves.
   void tryRun(size_t begin, size_t end, int depth) {
-    while (end - begin >= 2 && chords_[end - 1].end - chords_[begin].begin >= 8) {
+    while (end - begin >= 2 && worthTrying(begin, end)) {
       const EllipseFit whole = fit(begin, end);
       if (believable(whole, begin, end)) {
         found_.push_back({chords_[begin].begin, chords_[end - 1].end, whole});
@@ -179,6 +189,7 @@ class ArcFinder {
   LineSums sums_;
   double tolerance_ = 0;
   std::vector<Chord> chords_;
+  std::vector<double> turned_;  // direction of each chord, unwrapped
   std::vector<Found> found_;
 };
 

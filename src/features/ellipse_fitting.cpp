@@ -40,7 +40,7 @@ Local localAt(const Ellipse& e, double c, double s, const Eigen::Vector2d& uv) {
   l.f = l.x * l.x * ia + l.y * l.y * ib - 1;
   l.gx = 2 * l.x * ia;
   l.gy = 2 * l.y * ib;
-  l.g = std::max(1e-9, std::hypot(l.gx, l.gy));
+  l.g = std::max(1e-9, std::sqrt(l.gx * l.gx + l.gy * l.gy));
   return l;
 }
 
@@ -52,11 +52,11 @@ Vector5d jacobianAt(const Ellipse& e, double c, double s, const Local& l) {
   return j;
 }
 
-// Curvature of the ellipse where the point projects to.
+// Curvature of the ellipse where the point projects to (along the ray from the centre).
 double curvatureAt(const Ellipse& e, const Local& l) {
-  const double x = l.x / e.a, y = l.y / e.b, r = std::max(1e-9, std::hypot(x, y));
-  const double c = x / r, s = y / r;
-  return e.a * e.b / std::pow(e.a * e.a * s * s + e.b * e.b * c * c, 1.5);
+  const double x = l.x / e.a, y = l.y / e.b, r2 = std::max(1e-18, x * x + y * y);
+  const double q = (e.a * e.a * y * y + e.b * e.b * x * x) / r2;
+  return e.a * e.b / (q * std::sqrt(q));
 }
 
 void normalize(Ellipse* e) {

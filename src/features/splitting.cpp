@@ -67,53 +67,67 @@ std::vector<int> polygonBreaks(const std::vector<EdgePoint>& points, const LineS
   return breaks;
 }
 
+namespace {
+
+// Largest mean distance of four neighbouring points from a line: a hook shows, a single stray point does not.
+double largestRunDistance(const std::vector<EdgePoint>& points, const LineFit& line, int from, int to) {
+  constexpr int kRun = 4;
+  double most = 0;
+  for (int k = from; k < to; k += kRun) {
+    const int end = std::min(to, k + kRun);
+    double sum = 0;
+    for (int i = k; i < end; ++i) sum += line.distance(points[i]);
+    if (end - k >= 2) most = std::max(most, std::fabs(sum) / (end - k));
+  }
+  return most;
+}
+
+}  // namespace
+
 void mergeBreaks(const std::vector<EdgePoint>& points, const LineSums& sums, double correlation_length,
                  double tolerance, std::vector<int>* breaks) {
   // A break costs a description of about two numbers and a place: 12 nats; chi2 counts neighbouring points as
-  // independent, so it is divided by the correlation length.
+  // independent, so it is divided by the correlation length, and by its own excess over the prediction.
   const double break_cost = 2 * 12 * correlation_length;
   constexpr double kUnseenRms = 0.25;  // px: a bend that no use of the line would notice
-  bool changed = true;
-  while (changed && breaks->size() > 2) {
-    changed = false;
-    double best = 0;
-    size_t where = 0;
-    for (size_t i = 1; i + 1 < breaks->size(); ++i) {
-      const int begin = (*breaks)[i - 1], middle = (*breaks)[i], end = (*breaks)[i + 1];
-      const LineFit whole = sums.fit(begin, end);
-      const double rise = whole.chi2 - sums.chi2(begin, middle) - sums.chi2(middle, end);
-      if (!(rise < break_cost || whole.rms() < kUnseenRms)) continue;
-      // A short hook at the end of a long line hardly moves its chi2: look at the distances themselves.
-      double most = 0;
-      const int from = middle - begin < end - middle ? begin : middle;
-      const int to = middle - begin < end - middle ? middle : end;
-      for (int k = from; k < to; ++k) most = std::max(most, std::fabs(whole.distance(points[k])));
-      if (most > tolerance) continue;
-      const double gain = break_cost - rise;
-      if (where == 0 || gain > best) best = gain, where = i;
-    }
-    if (where > 0) {
-      breaks->erase(breaks->begin() + where);
-      changed = true;
-    }
+  constexpr double kNever = -1;
+  // Gain of removing break i, kNever when it must stay.
+  const auto gainAt = [&](size_t i) {
+    const int begin = (*breaks)[i - 1], middle = (*breaks)[i], end = (*breaks)[i + 1];
+    const LineFit whole = sums.fit(begin, end);
+    const double apart = sums.chi2(begin, middle) + sums.chi2(middle, end);
+    const double excess = std::max(1.0, apart / std::max(1, end - begin - 4));
+    const double rise = (whole.chi2 - apart) / excess;
+    if (!(rise < break_cost || whole.rms() < kUnseenRms)) return kNever;
+    const bool first_shorter = middle - begin < end - middle;
+    const double most =
+        largestRunDistance(points, whole, first_shorter ? begin : middle, first_shorter ? middle : end);
+    return most > tolerance ? kNever : std::max(0.0, 1e6 - rise);
+  };
+  std::vector<double> gains(breaks->size(), kNever);
+  for (size_t i = 1; i + 1 < breaks->size(); ++i) gains[i] = gainAt(i);
+  while (breaks->size() > 2) {
+    const size_t best = size_t(std::max_element(gains.begin(), gains.end()) - gains.begin());
+    if (gains[best] < 0) break;
+    breaks->erase(breaks->begin() + best);
+    gains.erase(gains.begin() + best);
+    if (best > 1) gains[best - 1] = gainAt(best - 1);
+    if (best + 1 < breaks->size()) gains[best] = gainAt(best);
   }
 }
 
 void rotateClosedTraces(LinkedEdges* edges) {
-  constexpr int kArm = 4;
+  // The point farthest from the middle is a corner if there is one.
   for (const EdgeTrace& trace : edges->traces) {
-    if (!trace.closed || trace.count < 3 * kArm) continue;
-    const auto at = [&](int i) -> const EdgePoint& {
-      return edges->points[trace.first + (i % trace.count + trace.count) % trace.count];
-    };
-    int sharpest = 0;
-    float least = 2;
-    for (int i = 0; i < trace.count; ++i) {
-      const float turn = at(i - kArm).normal.dot(at(i + kArm).normal);
-      if (turn < least) least = turn, sharpest = i;
-    }
-    const auto begin = edges->points.begin() + trace.first;
-    std::rotate(begin, begin + sharpest, begin + trace.count);
+    if (!trace.closed) continue;
+    const auto begin = edges->points.begin() + trace.first, end = begin + trace.count;
+    Eigen::Vector2f middle(0, 0);
+    for (auto p = begin; p != end; ++p) middle += p->uv;
+    middle /= float(trace.count);
+    const auto farthest = std::max_element(begin, end, [&](const EdgePoint& p, const EdgePoint& q) {
+      return (p.uv - middle).squaredNorm() < (q.uv - middle).squaredNorm();
+    });
+    std::rotate(begin, farthest, end);
   }
 }
 

@@ -73,7 +73,7 @@ struct FeatureSet {
 
 /// Defaults stand here and nowhere else.
 struct FeatureOptions {
-  double smoothing_sigma = 0.8;  ///< Gaussian before differentiation [px]
+  double smoothing_sigma = 1.0;  ///< Gaussian before differentiation [px]
   double gradient_threshold =
       2.0;  ///< weakest gradient of an edge point [grey levels per px]; raised with the noise
   double noise_factor = 3.0;        ///< weakest gradient in multiples of the image's gradient noise

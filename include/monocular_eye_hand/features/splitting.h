@@ -20,7 +20,7 @@ void mergeBreaks(const std::vector<EdgePoint>& points, const LineSums& sums, dou
 /// Tolerance for splitting a run: a few standard deviations of its points, between 0.4 px and the option.
 double splitTolerance(const std::vector<EdgePoint>& points, PointRange range, const FeatureOptions& options);
 
-/// Turns closed traces so that they start at their sharpest place.
+/// Turns closed traces so that they start at a corner if they have one.
 void rotateClosedTraces(LinkedEdges* edges);
 
 /// Curved pieces of all traces: runs of polygon pieces that turn the same way and that an ellipse explains
