@@ -25,6 +25,8 @@ class Linker {
         if (next_[i] < 0) seek(i, 1);
         if (previous_[i] < 0) seek(i, -1);
       }
+    for (int i = 0; i < int(edges_.points.size()); ++i)
+      if (next_[i] < 0 && previous_[i] >= 0) bridge(i);
   }
   const std::vector<int>& next() const { return next_; }
   const std::vector<int>& previous() const { return previous_; }
@@ -76,6 +78,41 @@ class Linker {
         *best_cost = c;
       }
     }
+  }
+
+  // Links the loose end i with a loose start nearby: across a gap of a few pixels, or over an end point that
+  // lies beside the other trace's start instead of before it.
+  void bridge(int i) {
+    constexpr int kReach = 4;
+    int from = -1, to = -1, skipped = -1;
+    float best = kNoLink;
+    for (int y = std::max(0, edges_.y[i] - kReach); y <= std::min(edges_.rows - 1, edges_.y[i] + kReach); ++y)
+      for (int x = std::max(0, edges_.x[i] - kReach); x <= std::min(edges_.cols - 1, edges_.x[i] + kReach);
+           ++x) {
+        const int j = edges_.index[size_t(y) * edges_.cols + x];
+        if (j < 0 || j == i || previous_[j] >= 0 || next_[j] < 0) continue;
+        for (int a : {i, previous_[i]})
+          for (int b : {j, next_[j]}) {
+            if (a == b) continue;
+            const float c = cost(a, b);
+            if (c >= best || !inLine(a, b)) continue;
+            best = c, from = a, to = b, skipped = j;
+          }
+      }
+    if (from < 0) return;
+    if (from != i) unlink(from, i);
+    if (to != skipped) unlink(skipped, to);
+    next_[from] = to;
+    previous_[to] = from;
+    next_cost_[from] = best;
+  }
+
+  // Does b lie ahead of a, aside by less than a gap of this length excuses?
+  bool inLine(int a, int b) const {
+    const EdgePoint &p = edges_.points[a], &q = edges_.points[b];
+    const Eigen::Vector2f d = q.uv - p.uv;
+    const float aside = 0.5f * (std::fabs(p.normal.dot(d)) + std::fabs(q.normal.dot(d)));
+    return aside < 0.4f + 0.12f * d.norm();
   }
 
   void unlink(int from, int to) {
