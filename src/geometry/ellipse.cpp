@@ -15,7 +15,8 @@ Eigen::Matrix3d Ellipse::conic() const {
   const double c = std::cos(angle), s = std::sin(angle);
   Eigen::Matrix2d r;
   r << c, -s, s, c;
-  const Eigen::Matrix2d m = r * Eigen::Vector2d(1 / (a * a), 1 / (b * b)).asDiagonal() * r.transpose();
+  Eigen::Matrix2d m = r * Eigen::Vector2d(1 / (a * a), 1 / (b * b)).asDiagonal() * r.transpose();
+  m(1, 0) = m(0, 1);  // exactly symmetric
   Eigen::Matrix3d conic;
   conic.topLeftCorner<2, 2>() = m;
   conic.topRightCorner<2, 1>() = -m * centre;

@@ -32,10 +32,11 @@ inline void add(double w, double r, const Eigen::Vector3d& a, const Eigen::Vecto
 double NormalEquations::rms() const { return weights > 0 ? std::sqrt(square_px / weights) : 0; }
 
 double NormalEquations::variance(int unknowns) const {
-  // weights ~ n E[w] stands beside the hessian, which holds E[w] J^T J
   if (residuals <= unknowns || !(slope > 0)) return 1;
-  const double n = residuals;
-  return influence * weights / (slope * slope) * n / (n - unknowns);
+  const double n = residuals, mean = slope / n;
+  const double correction = 1 + unknowns / n * (1 - mean) / mean;
+  // weights stand here because the hessian holds w J^T J rather than J^T J
+  return correction * correction * influence * weights / (slope * slope) * n / (n - unknowns);
 }
 
 MatchResiduals::MatchResiduals(const Camera& camera, const std::vector<LineMatch>& lines,

@@ -137,7 +137,8 @@ int meet(const Form& f, const Eigen::Vector3d& line, Eigen::Vector3d* points) {
 /// Newton on the three cosine laws, written for side 12, the right angle at the foot, and the altitude.
 bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* root) {
   Eigen::Vector3d& legs = root->legs;
-  const double altitude2 = t.altitude * t.altitude, f = t.foot, g = 1 - t.foot;
+  const double altitude2 = t.altitude * t.altitude, inverse_altitude = 1 / t.altitude, f = t.foot,
+               g = 1 - t.foot;
   double step = 1;
   for (int i = 0; i < 10; ++i) {
     const Eigen::Vector3d p1 = legs[0] * j[0], p2 = legs[1] * j[1], p3 = legs[2] * j[2];
@@ -147,8 +148,9 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
     const double q1 = q.dot(j[0]), q2 = q.dot(j[1]), q3 = q.dot(j[2]);
     const double h1 = h.dot(j[0]), h2 = h.dot(j[1]), h3 = h.dot(j[2]);
     const double r1 = 0.5 * (q.squaredNorm() - 1), r2 = q.dot(h), r3 = 0.5 * (h.squaredNorm() - altitude2);
-    const double noise = 4e-16 * (legs[0] + legs[1] + legs[2]);  // a step from less would be made of rounding
-    if (std::abs(r1) < noise && std::abs(r2) < noise && std::abs(r3) < noise * t.altitude) {
+    const double sum = legs[0] + legs[1] + legs[2];
+    const double residual = std::max({std::abs(r1), std::abs(r2), std::abs(r3) * inverse_altitude});
+    if (residual < 4e-16 * sum) {  // a step would be made of rounding
       step = 0;
       break;
     }
@@ -163,7 +165,10 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
     const double d3 =
         std::abs(h3) > std::abs(q3) ? (r3 - c1 * d1 - c2 * d2) / h3 : (r2 - b1 * d1 - b2 * d2) / q3;
     const double size = std::max({std::abs(d1), std::abs(d2), std::abs(d3)});
-    if (!(size < 1e3 * legs.sum())) break;   // singular: a double root as good as it can be found
+    if (!(size < 1e8 * residual)) {  // singular: a double root is as good as it can be found
+      if (residual < 1e-12 * sum) step = 0;
+      break;
+    }
     if (step < 1e-7 && size >= step) break;  // rounding
     step = size;
     legs[0] -= d1;
