@@ -40,10 +40,10 @@ std::string accuracyText(const RecognizedObject& object) {
   return object.free_axis ? text + " (one axis free)" : text;
 }
 
-class Explanation {
+class PageWriter {
  public:
-  Explanation(const std::string& folder, const cv::Mat& grey, const ModelBase& models,
-              const RecognitionResult& result, const ExplanationOptions& options)
+  PageWriter(const std::string& folder, const cv::Mat& grey, const ModelBase& models,
+             const RecognitionResult& result, const ExplanationOptions& options)
       : folder_(folder),
         grey_(grey),
         models_(models),
@@ -207,7 +207,7 @@ std::string writeExplanation(const std::string& folder, const cv::Mat& grey, con
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw BadInput(folder + ": cannot be created (" + error.message() + ")");
-  return Explanation(folder, grey, models, result, options).write();
+  return PageWriter(folder, grey, models, result, options).write();
 }
 
 }  // namespace monocular_eye_hand

@@ -165,7 +165,7 @@ Scene randomScene(const std::vector<NamedMesh>& models, uint32_t seed, const Ran
   if (parts > 0 && models.empty()) throw BadInput("random scene: no models to choose the parts from");
   Scene scene;
   scene.table.material = randomMaterial(&random);
-  scene.table.material.specular *= 0.3;
+  scene.table.material.specular *= 0.1;
   scene.table.material.texture = randomTexture(&random, rule.texture);
   Placer placer(&random, rule.spread, rule.gap);
   for (int k = 0; k < parts; ++k) {

@@ -3,10 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "random.h"
 
 namespace monocular_eye_hand {
+namespace {
+
+// As a camera's automatic: the wanted mean, but bright parts keep their shading (only the brightest 0.5 %
+// saturate).
+double automaticExposure(const cv::Mat1f& light, double mean) {
+  constexpr double kBright = 0.9;
+  std::vector<float> values(light.begin(), light.end());
+  const auto bright = values.begin() + std::ptrdiff_t(0.995 * double(values.size() - 1));
+  std::nth_element(values.begin(), bright, values.end());
+  const double average = cv::mean(light)[0];
+  if (!(average > 0)) return 1;
+  return std::min(mean / average, kBright / std::max(double(*bright), 1e-9));
+}
+
+}  // namespace
 
 cv::Mat sensorImage(const cv::Mat1f& radiance, const RenderOptions& options, double* exposure) {
   cv::Mat1f light = radiance;
@@ -17,8 +33,7 @@ cv::Mat sensorImage(const cv::Mat1f& radiance, const RenderOptions& options, dou
                      options.blur_sigma, cv::BORDER_REPLICATE);
     light = blurred;
   }
-  const double mean = cv::mean(light)[0];
-  *exposure = options.exposure > 0 ? options.exposure : mean > 0 ? options.mean / mean : 1.0;
+  *exposure = options.exposure > 0 ? options.exposure : automaticExposure(light, options.mean);
   cv::Mat grey(light.rows, light.cols, CV_8UC1);
   Generator random(options.seed ^ 0xa5a5u);
   for (int y = 0; y < grey.rows; ++y)
