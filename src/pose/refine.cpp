@@ -142,12 +142,16 @@ RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vec
   double scale = options.robust_scale > 0 ? residuals.scale() : 0;
   NormalEquations now = residuals.accumulate(options.robust_scale * scale), trial;
   double lambda = 1e-4;
+  bool settled = scale <= 1;  // the cut-off stands
   Rigid3 pose = start;
   while (std::isfinite(now.cost) && now.residuals > 0 && result.iterations < options.max_iterations) {
     ++result.iterations;
     const Coordinates coordinates(pose, free_axis);
     Matrix6d h = now.hessian;
     Vector6d g = now.gradient, step;
+    // The loss is flatter than its weights say, by mean psi' / mean w: steps as long as Newton's once it is
+    // settled
+    if (settled) h *= std::clamp(now.slope / now.weights, 0.5, 1.0);
     coordinates.turn(&h, &g);
     if (!dampedStep(h, g, lambda, &step)) {
       lambda = std::max(1e-8, lambda * 10);
@@ -161,9 +165,11 @@ RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vec
       pose = next;
       now = trial;
       lambda = std::max(1e-9, 0.1 * lambda);
+      settled = true;
       if (scale > 1) {  // the cut-off comes down with the residuals
         const double tighter = std::min(scale, residuals.scale());
         if (tighter < 0.999 * scale) {
+          settled = tighter > 0.98 * scale;
           scale = tighter;
           now = residuals.accumulate(options.robust_scale * scale);
           if (!small) continue;

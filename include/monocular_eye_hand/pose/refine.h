@@ -23,7 +23,7 @@ struct PointMatch {
 };
 
 struct RefineOptions {
-  int max_iterations = 10;
+  int max_iterations = 15;
   double robust_scale = 3.0;  ///< Tukey cut-off in standard deviations; 0 = least squares
   double min_step = 1e-7;     ///< stop when the step is smaller [m, rad]
 
