@@ -29,7 +29,8 @@ ModelBase oneObject() {
 TEST(Conversion, PoseMapsPointsAsTfDoes) {
   const Rigid3 camera_from_object = somePose();
   const tf2::Transform tf = toTf(toPose(camera_from_object));
-  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(-4, 0.5, 9)}) {
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(-4, 0.5, 9)}) {
     const tf2::Vector3 q = tf * tf2::Vector3(p.x(), p.y(), p.z());
     const Eigen::Vector3d expected = camera_from_object * p;
     EXPECT_NEAR((Eigen::Vector3d(q.x(), q.y(), q.z()) - expected).norm(), 0, 1e-12);
@@ -44,7 +45,8 @@ TEST(Conversion, ProductsAsTf) {
   const tf2::Vector3 t = tf.getOrigin();
   EXPECT_NEAR((Eigen::Vector3d(t.x(), t.y(), t.z()) - expected.translation).norm(), 0, 1e-12);
   for (int row = 0; row < 3; ++row)
-    for (int col = 0; col < 3; ++col) EXPECT_NEAR(tf.getBasis()[row][col], expected.rotation(row, col), 1e-12);
+    for (int col = 0; col < 3; ++col)
+      EXPECT_NEAR(tf.getBasis()[row][col], expected.rotation(row, col), 1e-12);
 }
 
 TEST(Conversion, PoseThereAndBack) {
@@ -70,8 +72,8 @@ TEST(Conversion, TransformIsThePose) {
   EXPECT_EQ(transform.transform.rotation, pose.orientation);
 }
 
-// geometry_msgs/PoseWithCovariance: row-major, x, y, z, rotation about x, y, z, fixed axes. A pose moved by d as the
-// core means it is the pose rotated about the fixed axes of the header's frame as tf means it.
+// geometry_msgs/PoseWithCovariance: row-major, x, y, z, rotation about x, y, z, fixed axes. A pose moved by d
+// as the core means it is the pose rotated about the fixed axes of the header's frame as tf means it.
 TEST(Conversion, CovarianceOrderAndAxes) {
   Matrix6d covariance;
   for (int row = 0; row < 6; ++row)

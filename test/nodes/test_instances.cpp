@@ -16,7 +16,8 @@ ModelBase twoObjects() {
     KnownObject known;
     known.model.name = name;
     known.model.diameter = 0.1;
-    const Eigen::Vector3d low = std::string(name) == "cube" ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(-.05, -.05, -.05);
+    const Eigen::Vector3d low =
+        std::string(name) == "cube" ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(-.05, -.05, -.05);
     known.model.bounds = Eigen::AlignedBox3d(low, low + Eigen::Vector3d::Constant(0.1));
     models.objects.push_back(known);
   }

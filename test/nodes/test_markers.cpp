@@ -105,7 +105,8 @@ TEST(Markers, ALookForOneNameLeavesTheOthers) {
   const ModelBase models = twoObjects();
   MarkerBuilder builder(models, 100);
   builder.build(header(), {seen(0), seen(1)}, {0, 0});
-  EXPECT_THAT(deleted(builder.build(header(), {}, {}, "frame")), testing::ElementsAre("frame 0", "frame/label 0"));
+  EXPECT_THAT(deleted(builder.build(header(), {}, {}, "frame")),
+              testing::ElementsAre("frame 0", "frame/label 0"));
   EXPECT_THAT(deleted(builder.build(header(), {}, {})), testing::ElementsAre("bridge 0", "bridge/label 0"));
 }
 

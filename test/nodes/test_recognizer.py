@@ -1,0 +1,233 @@
+#!/usr/bin/python3
+"""The node recognizer against a camera that this test plays: every answer of the service, every output."""
+import os
+import shutil
+import sys
+import tempfile
+import unittest
+
+import rospy
+import rostest
+import rospkg
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from sensor_msgs.msg import Image
+from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import Marker, MarkerArray
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import cube_scene
+import node_process
+from monocular_eye_hand.msg import RecognizedObject, RecognizedObjectArray
+from monocular_eye_hand.srv import Recognize, RecognizeResponse
+
+SERVICE = "/recognizer/recognize"
+
+
+def status_named(name):
+    def fits(message):
+        return any(status.name.endswith(name) for status in message.status)
+    return fits
+
+
+def status_of(message, name):
+    return next(status for status in message.status if status.name.endswith(name))
+
+
+def value_of(status, key):
+    return next(value.value for value in status.values if value.key == key)
+
+
+class TestRecognizer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("test_recognizer")
+        cls.cache = tempfile.mkdtemp()
+        objects = os.path.join(rospkg.RosPack().get_path("monocular_eye_hand"), "config", "cube.yaml")
+        cls.camera = cube_scene.Camera()
+        cls.node = node_process.node("recognizer", "recognizer", [
+            "_objects:=" + objects, "_cache:=" + cls.cache, "_continuous:=false", "_service_timeout:=2.0",
+            "_diagnostic_period:=0.5", "_frame_prefix:=left/"])
+        rospy.wait_for_service(SERVICE, node_process.START)
+        cls.recognize = rospy.ServiceProxy(SERVICE, Recognize)
+        cls.cube, cls.flat = cube_scene.cube_picture(), cube_scene.flat_picture()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.camera.timer.shutdown()
+        cls.node.stop()
+        shutil.rmtree(cls.cache)
+
+    def setUp(self):
+        self.assertTrue(self.node.running(), self.node.text())
+        self.camera.image = cube_scene.image_message(self.cube)
+        self.camera.info = cube_scene.camera_info()
+
+    def check(self, status, *words, name=""):
+        reply = self.recognize(name)
+        self.assertEqual(reply.status, status, reply.text)
+        for word in words:
+            self.assertIn(word, reply.text)
+        if status != RecognizeResponse.FOUND:
+            self.assertEqual(reply.objects, [])
+        return reply
+
+    # The first two need a node that has not seen a camera yet: unittest runs by name.
+    def test_0_no_image(self):
+        self.camera.image = self.camera.info = None
+        self.check(RecognizeResponse.NO_IMAGE, "no image on /image_raw within 2 s")
+
+    def test_1_no_camera_info(self):
+        self.camera.info = None
+        self.check(RecognizeResponse.BAD_CAMERA_INFO, "/camera_info", "none was received")
+
+    def test_found(self):
+        for name in ("", "cube"):
+            reply = self.check(RecognizeResponse.FOUND, "found cube_0", name=name)
+            self.assertEqual(len(reply.objects), 1)
+            cube = reply.objects[0]
+            self.assertEqual(cube.name, "cube")
+            self.assertEqual(cube.header.frame_id, cube_scene.FRAME)
+            self.assertLess(cube_scene.distance_to_truth(cube.pose.pose), 0.006)
+            self.assertEqual(cube.decision, RecognizedObject.ACCEPTED)
+            self.assertGreater(cube.probability, 0.5)
+            self.assertGreater(min(cube.pose.covariance[i * 7] for i in range(6)), 0)
+            self.assertGreater(cube.matched_features, 5)
+
+    def test_not_found(self):
+        self.camera.image = cube_scene.image_message(self.flat)
+        for name, text in (("", "no known object in the image: "), ("cube", "no cube in the image: ")):
+            reply = self.check(RecognizeResponse.NOT_FOUND, text, name=name)
+            self.assertGreater(len(reply.text), len(text) + 5, "a reason is missing")
+
+    def test_unknown_name(self):
+        self.camera.image = None  # answered without an image
+        self.check(RecognizeResponse.UNKNOWN_NAME, "'cub'", "known: cube", name="cub")
+
+    def test_bad_camera_info(self):
+        info = self.camera.info
+        info.K = [0.0] * 9
+        self.check(RecognizeResponse.BAD_CAMERA_INFO, "K is all zero", "/camera_info")
+        self.camera.info = info = cube_scene.camera_info()
+        info.K = [1.0, 0, 320, 0, 1.0, 240, 0, 0, 1]
+        self.check(RecognizeResponse.BAD_CAMERA_INFO, "fx = 1")
+        self.camera.info = info = cube_scene.camera_info()
+        info.width, info.height = 320, 240
+        self.check(RecognizeResponse.BAD_CAMERA_INFO, "the image is 640x480 but camera_info describes 320x240")
+        for field, size in (("K", 9), ("D", 5), ("P", 12)):
+            self.camera.info = info = cube_scene.camera_info()
+            values = list(getattr(info, field))
+            values[0] = float("nan")
+            setattr(info, field, values)
+            self.assertEqual(len(values), size)
+            self.check(RecognizeResponse.BAD_CAMERA_INFO, field + "[0] = nan")
+        self.camera.info = cube_scene.camera_info()
+        self.check(RecognizeResponse.FOUND)
+
+    def test_bad_image(self):
+        self.camera.image = cube_scene.image_message(self.cube, "32FC1")
+        self.check(RecognizeResponse.BAD_IMAGE, "'32FC1' is not supported", "mono8")
+        self.camera.image = cube_scene.image_message(self.cube)
+        self.camera.image.data = b""
+        self.check(RecognizeResponse.BAD_IMAGE, "empty")
+        self.camera.image = cube_scene.image_message(self.cube)
+        self.camera.image.header.frame_id = ""
+        self.check(RecognizeResponse.BAD_IMAGE, "frame_id is empty", "camera_frame")
+
+    def test_idle_until_someone_listens(self):
+        diagnostics = node_process.Collector()
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, diagnostics, queue_size=10)
+        first = diagnostics.wait(status_named("recognition"))
+        self.assertIsNotNone(first)
+
+        def later(message):
+            if not status_named("camera")(message):
+                return False
+            received = int(value_of(status_of(message, "camera"), "images received"))
+            return received >= int(value_of(status_of(first, "camera"), "images received")) + 5
+        last = diagnostics.wait(later)
+        self.assertIsNotNone(last, "images do not arrive")
+        worked = [value_of(status_of(message, "recognition"), "images worked on") for message in (first, last)]
+        self.assertEqual(worked[0], worked[1])
+        objects = node_process.Collector()
+        listener = rospy.Subscriber("/recognizer/objects", RecognizedObjectArray, objects, queue_size=10)
+        self.assertIsNotNone(objects.wait(lambda array: array.objects))
+        listener.unregister()
+        subscriber.unregister()
+
+    def test_frame_equals_message(self):
+        """tf's transform of <prefix><name>_<n> is the pose of the message, at the image's stamp."""
+        objects, frames = node_process.Collector(), node_process.Collector()
+        subscribers = [rospy.Subscriber("/tf", TFMessage, frames, queue_size=100),
+                       rospy.Subscriber("/recognizer/objects", RecognizedObjectArray, objects, queue_size=100)]
+        for _ in range(3):  # the number stays
+            array = objects.wait(lambda message: message.objects)
+            self.assertIsNotNone(array)
+            cube = array.objects[0]
+            self.assertEqual(cube.instance, 0)
+            self.assertEqual(cube.header.stamp, array.header.stamp)
+            message = frames.wait(lambda frame: frame.transforms[0].header.stamp == array.header.stamp)
+            self.assertIsNotNone(message)
+            transform = message.transforms[0]
+            self.assertEqual(transform.header.frame_id, cube_scene.FRAME)
+            self.assertEqual(transform.child_frame_id, "left/cube_0")
+            position, translation = cube.pose.pose.position, transform.transform.translation
+            self.assertEqual((position.x, position.y, position.z), (translation.x, translation.y, translation.z))
+            self.assertEqual(cube.pose.pose.orientation, transform.transform.rotation)
+            self.assertGreater(array.seconds, 0)
+            objects.clear()
+        for subscriber in subscribers:
+            subscriber.unregister()
+
+    def test_markers_and_overlay(self):
+        markers, overlays = node_process.Collector(), node_process.Collector()
+        subscribers = [rospy.Subscriber("/recognizer/markers", MarkerArray, markers, queue_size=10),
+                       rospy.Subscriber("/recognizer/overlay", Image, overlays, queue_size=10)]
+        array = markers.wait(lambda message: message.markers)
+        self.assertIsNotNone(array)
+        mesh = array.markers[0]
+        self.assertEqual((mesh.type, mesh.ns, mesh.id), (Marker.TRIANGLE_LIST, "cube", 0))
+        self.assertEqual(len(mesh.points), 36)
+        self.assertLess(cube_scene.distance_to_truth(mesh.pose), 0.006)
+        overlay = overlays.wait()
+        self.assertIsNotNone(overlay)
+        self.assertEqual(overlay.encoding, "bgr8")
+        self.assertGreaterEqual(overlay.width, cube_scene.WIDTH)
+        self.assertEqual(overlay.header.frame_id, cube_scene.FRAME)
+        self.camera.image = cube_scene.image_message(self.flat)
+        gone = markers.wait(lambda message: any(marker.action == Marker.DELETE for marker in message.markers))
+        self.assertIsNotNone(gone, "the mesh stays although the object is gone")
+        for subscriber in subscribers:
+            subscriber.unregister()
+
+    def test_nothing_found_is_published_with_a_reason(self):
+        self.camera.image = cube_scene.image_message(self.flat)
+        objects = node_process.Collector()
+        subscriber = rospy.Subscriber("/recognizer/objects", RecognizedObjectArray, objects, queue_size=10)
+        array = objects.wait(lambda message: not message.objects)
+        self.assertIsNotNone(array)
+        self.assertNotEqual(array.reason, "")
+        subscriber.unregister()
+
+    def test_diagnostics(self):
+        diagnostics = node_process.Collector()
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, diagnostics, queue_size=10)
+        self.camera.info.K = [0.0] * 9
+        self.recognize("")
+
+        def camera_is(level):
+            return lambda message: status_named("camera")(message) and status_of(message, "camera").level == level
+        bad = diagnostics.wait(camera_is(DiagnosticStatus.ERROR))
+        self.assertIsNotNone(bad)
+        self.assertIn("K is all zero", status_of(bad, "camera").message)
+        self.camera.info = cube_scene.camera_info()
+        self.check(RecognizeResponse.FOUND)
+        diagnostics.clear()
+        good = diagnostics.wait(camera_is(DiagnosticStatus.OK))
+        self.assertIsNotNone(good)
+        self.assertIn("640x480 mono8", status_of(good, "camera").message)
+        self.assertGreater(float(value_of(status_of(good, "recognition"), "seconds for the last image")), 0)
+        subscriber.unregister()
+
+
+if __name__ == "__main__":
+    rostest.rosrun("monocular_eye_hand", "recognizer", TestRecognizer)
