@@ -15,10 +15,9 @@ const ObjectModel& modelOf(const ModelBase& models, const RecognizedObject& obje
   return models.objects[object.object].model;
 }
 
-void drawOne(Canvas* canvas, const ModelBase& models, const RecognizedObject& object, int width) {
+void drawOne(Canvas* canvas, const ModelBase& models, const RecognizedObject& object) {
   ObjectStyle style;
   style.colour = decisionColour(object.decision);
-  style.width = width;
   style.axes = object.decision != Decision::kRejected;
   style.label = objectLabel(object);
   drawObject(canvas, modelOf(models, object), object.camera_from_object, style);
@@ -49,8 +48,8 @@ cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& m
   Canvas canvas(grey, camera, 0.85);
   // Best last: on top.
   if (with_rejected)
-    for (size_t k = result.rejected.size(); k-- > 0;) drawOne(&canvas, models, result.rejected[k], 1);
-  for (size_t k = result.objects.size(); k-- > 0;) drawOne(&canvas, models, result.objects[k], 2);
+    for (size_t k = result.rejected.size(); k-- > 0;) drawOne(&canvas, models, result.rejected[k]);
+  for (size_t k = result.objects.size(); k-- > 0;) drawOne(&canvas, models, result.objects[k]);
   if (result.objects.empty()) canvas.caption(result.reason.empty() ? "nothing found" : result.reason);
   return canvas.picture();
 }
@@ -58,7 +57,7 @@ cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& m
 cv::Mat drawCandidate(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
                       const RecognizedObject& candidate) {
   Canvas canvas(grey, camera, 0.8);
-  drawOne(&canvas, models, candidate, 2);
+  drawOne(&canvas, models, candidate);
   return canvas.picture();
 }
 

@@ -71,19 +71,28 @@ double insideBy(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector
   return least;
 }
 
+Eigen::Matrix3d scatterOf(const Points& points) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) mean += p / double(points.size());
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : points) scatter += (p - mean) * (p - mean).transpose();
+  return scatter;
+}
+
+bool flat(const Points& points, double thickness) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatterOf(points), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[0] < thickness * thickness;
+}
+
 // The plane through the points that are lowest along `down`, refined until it rests on exactly those.
 Eigen::Vector3d settle(const Points& points, Eigen::Vector3d down, double thickness) {
   for (int pass = 0; pass < 3; ++pass) {
     double lowest = -1e300;
     for (const Eigen::Vector3d& p : points) lowest = std::max(lowest, p.dot(down));
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Points support;
     for (const Eigen::Vector3d& p : points)
-      if (p.dot(down) > lowest - thickness) support.push_back(p), mean += p;
-    mean /= double(support.size());
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (const Eigen::Vector3d& p : support) scatter += (p - mean) * (p - mean).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+      if (p.dot(down) > lowest - thickness) support.push_back(p);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatterOf(support));
     if (solver.eigenvalues()[1] < thickness * thickness)
       return down;  // a line or a point: no plane of its own
     const Eigen::Vector3d normal = solver.eigenvectors().col(0);
@@ -101,6 +110,7 @@ std::vector<StablePose> stablePoses(const Mesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points) box.extend(p);
   const double size = box.diagonal().norm();
+  if (flat(points, 1e-4 * size)) throw BadInput("stable poses: the mesh is flat");
   // CAD faces put many points in one plane: a tiny seeded shake brings them into general position.
   Points shaken = points;
   Generator random(1);

@@ -51,7 +51,7 @@ double edgeOffset(const cv::Mat& grey, const Eigen::Vector2d& on_edge, const Eig
   // Along rows or columns, whichever crosses the edge more steeply.
   const bool along_u = std::abs(normal.x()) > std::abs(normal.y());
   const double fixed = along_u ? on_edge.y() : on_edge.x(), start = along_u ? on_edge.x() : on_edge.y();
-  const int line = int(std::lround(fixed)), reach = 6, middle = int(std::lround(start));
+  const int line = int(std::lround(fixed)), reach = 4, middle = int(std::lround(start));
   const auto value = [&](int k) {
     return double(along_u ? grey.at<uchar>(line, k) : grey.at<uchar>(k, line));
   };
@@ -76,7 +76,7 @@ std::vector<double> sheetOffsets(const Scene& scene, const Camera& camera, const
     return camera.distort(camera.project(camera_from_object * p));
   };
   for (int side = 0; side < 4; ++side)
-    for (double share = 0.12; share < 0.89; share += 0.01) {
+    for (double share = 0.2; share < 0.81; share += 0.01) {
       const Eigen::Vector2d uv = pixel(side, share);
       const Eigen::Vector2d along = (pixel(side, share + 0.005) - pixel(side, share - 0.005)).normalized();
       const Eigen::Vector2d normal(along.y(), -along.x());
@@ -189,7 +189,8 @@ TEST(Render, WhatTheBorderCutsOffIsNotVisible) {
     scene.world_from_camera = lookAt(eye, {0, 0, 0});
     scene.world_from_camera.translation -= scene.world_from_camera.rotation.col(0) * u * 0.5;
     const RenderedImage image = renderScene(scene, camera, noiseless());
-    EXPECT_NEAR(image.objects[0].fraction, 0.5, 0.03);
+    // The lens shows the inner half smaller than a rectified pixel, in which the outer half is counted.
+    EXPECT_NEAR(image.objects[0].fraction, 0.5, camera.distorted() ? 0.08 : 0.01);
   }
 }
 
@@ -247,7 +248,7 @@ TEST(Render, NoiseHasItsSigmaAndBlurSoftens) {
     cv::Sobel(renderScene(sheet, pinhole(), soft).grey, derivative, CV_32F, 1, 0);
     return cv::norm(derivative, cv::NORM_INF);
   };
-  EXPECT_LT(steepest(1.5), 0.6 * steepest(0));
+  EXPECT_LT(steepest(2.0), 0.5 * steepest(0));
 }
 
 TEST(Render, AmbientOcclusionDarkensContacts) {

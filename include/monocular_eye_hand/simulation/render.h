@@ -31,7 +31,7 @@ struct RenderOptions {
 /// How much of an object the image shows (BOP's scene_gt_info).
 struct Visibility {
   int pixels_visible = 0;  ///< pixels whose centre shows the object
-  int pixels_alone = 0;    ///< ... if nothing stood before it and the image had no border
+  int pixels_alone = 0;    ///< ... if nothing stood before it; beyond the image's border in rectified pixels
   double fraction = 0;     ///< pixels_visible / pixels_alone
   cv::Rect box_visible;    ///< raw pixels
 };
