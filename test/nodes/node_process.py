@@ -6,6 +6,7 @@ import tempfile
 import threading
 import time
 
+import rosgraph
 import roslib.packages
 
 START = 60  # [s]; generous: the machine may be busy
@@ -83,7 +84,10 @@ class Process:
 
 
 def node(program, name, arguments=()):
-    """Starts a node of this package; arguments as on rosrun's command line."""
+    """Starts a node of this package; arguments as on rosrun's command line. Parameters of a former start are dropped."""
+    master = rosgraph.Master("/test")
+    if master.hasParam("/" + name):
+        master.deleteParam("/" + name)
     paths = roslib.packages.find_node("monocular_eye_hand", program)
     if not paths:
         raise RuntimeError("no program %s in monocular_eye_hand" % program)

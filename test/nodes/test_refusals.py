@@ -32,10 +32,7 @@ class TestRefusals(unittest.TestCase):
         return path
 
     def refused(self, program, arguments, *words):
-        # A name of its own each time: parameters of a former start stay on the server.
-        self.refused_count = getattr(self, "refused_count", 0) + 1
-        name = "%s_%s_%d" % (program, self.id().split(".")[-1], self.refused_count)
-        with node_process.node(program, name, arguments) as node:
+        with node_process.node(program, program, arguments) as node:
             self.assertEqual(node.exit_code(), 1, node.text())
             for word in words:
                 self.assertIn(word, node.text())
