@@ -2,7 +2,8 @@
 """packages.py BUILD DEVEL   scripts/packages.txt is enough for a machine that has nothing.
 
 apt simulates the installation of the list on an empty system. Whatever the build read (headers, CMake packages), its
-programs load (libraries), and scripts, launch files and Python files call must come from a package of that set."""
+programs load (libraries), and scripts, launch files and Python files call must come from a package of that set. What
+demo.sh and test.sh use must come from the sections that they install; [benchmark] and [ci] only serve their own."""
 import ast
 import importlib.util
 import os
@@ -17,14 +18,22 @@ sys.dont_write_bytecode = True
 import debian
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Commands of the scripts, the checks and the README that Debian's base system does not have.
-COMMANDS = """c++ catkin_lint catkin_test_results clang-format cmake ctest git ldd ninja python3 readelf
-              rosbag roslaunch rosnode rospack rosrun rosservice rostest rostopic rviz""".split()
+USER_SECTIONS = ("build", "ros", "test")
+# Commands of the scripts and the README, and of the checks, that Debian's base system does not have.
+COMMANDS = """catkin_test_results cmake ctest g++ ninja python3 rosbag roslaunch rosnode rospack rosrun rosservice
+              rostest rostopic rviz""".split()
+CI_COMMANDS = "catkin_lint clang-format git ldd readelf".split()
 
 
 def listed():
-    lines = (line.strip() for line in (ROOT / "scripts/packages.txt").read_text().splitlines())
-    return [line for line in lines if line and line[0] not in "#["]
+    """{section: packages} of scripts/packages.txt"""
+    sections = {}
+    for line in (ROOT / "scripts/packages.txt").read_text().splitlines():
+        if line.startswith("["):
+            names = sections.setdefault(line.strip("[]"), [])
+        elif line and not line.startswith("#"):
+            names.append(line)
+    return sections
 
 
 def simulated(packages):
@@ -47,19 +56,19 @@ def tracked(*patterns):
     return [ROOT / name for name in out.stdout.splitlines()]
 
 
-def compiled_from(build):
-    for files in debian.dependencies(str(build)).values():
-        yield from (file for file in files if file.startswith("/usr/"))
+def compiled_from(build, benchmarks):
+    for name, files in debian.dependencies(str(build)).items():
+        if name.startswith("benchmark/") == benchmarks:
+            yield from (file for file in files if file.startswith("/usr/"))
 
 
-def found_by_cmake(build):
-    for path in re.findall(r"^\w+_DIR:PATH=(/usr/.*)$", (build / "CMakeCache.txt").read_text(), re.M):
-        yield from sorted(str(file) for file in pathlib.Path(path).glob("*onfig.cmake"))[:1]
+def found_by_cmake(build, benchmarks):
+    for name, path in re.findall(r"^(\w+)_DIR:PATH=(/usr/.*)$", (build / "CMakeCache.txt").read_text(), re.M):
+        if (name == "benchmark") == benchmarks:
+            yield from sorted(str(file) for file in pathlib.Path(path).glob("*onfig.cmake"))[:1]
 
 
-def loaded(build, devel):
-    binaries = [*devel.glob("lib/*.so"), *devel.glob("lib/monocular_eye_hand/*"), *build.glob("test/*/*"),
-                *build.glob("benchmark/bench_*")]
+def loaded(binaries):
     for binary in binaries:
         if binary.is_file() and binary.open("rb").read(4) == b"\x7fELF":
             yield from (path for path in debian.linked(str(binary)).values() if path and path.startswith(("/usr", "/lib")))
@@ -90,26 +99,42 @@ def imported():
                 yield (spec and spec.origin) or f"{path.relative_to(ROOT)}: import {module}"
 
 
+def missing(kind, paths, available):
+    """One line per package that owns some of the paths and is not available."""
+    by_package = {}
+    for path, package in debian.owners(paths).items():
+        if package not in available:
+            by_package.setdefault(package, []).append(path)
+    for package, users in sorted(by_package.items(), key=str):
+        more = f" and {len(users) - 1} more" if len(users) > 1 else ""
+        yield f"{kind} of {package or 'no package'}, which the list does not bring: {sorted(users)[0]}{more}"
+
+
 def main(build, devel):
-    names = listed()
-    available = simulated(names) | base_system()
+    sections = listed()
+    names = [name for packages in sections.values() for name in packages]
+    base = base_system()
+    for_users = simulated([name for section in USER_SECTIONS for name in sections[section]]) | base
+    for_all = simulated(names) | base
+    programs = [*devel.glob("lib/*.so"), *devel.glob("lib/monocular_eye_hand/*"), *build.glob("test/*/*")]
+    uses = [("header", compiled_from(build, False), for_users),
+            ("CMake package", found_by_cmake(build, False), for_users),
+            ("library", loaded(programs), for_users),
+            ("command", (shutil.which(name) or name for name in COMMANDS), for_users),
+            ("launched program", launched(), for_users),
+            ("python module", imported(), for_users),
+            ("benchmarks' header", compiled_from(build, True), for_all),
+            ("benchmarks' CMake package", found_by_cmake(build, True), for_all),
+            ("benchmarks' library", loaded(build.glob("benchmark/bench_*")), for_all),
+            ("command of the checks", (shutil.which(name) or name for name in CI_COMMANDS), for_all)]
     faults = [f"{name}: listed twice" for name in sorted({name for name in names if names.count(name) > 1})]
-    uses = {"header": compiled_from(build), "CMake package": found_by_cmake(build), "library": loaded(build, devel),
-            "command": (shutil.which(name) or name for name in COMMANDS), "launched": launched(),
-            "python module": imported()}
-    for kind, paths in uses.items():
+    for kind, paths, available in uses:
         paths = {path for path in paths if not path.startswith((str(build), str(devel), str(ROOT) + "/src"))}
-        by_package = {}
-        for path, package in debian.owners(paths).items():
-            if package not in available:
-                by_package.setdefault(package, []).append(path)
-        for package, users in sorted(by_package.items(), key=str):
-            faults.append(f"{kind} of {package or 'no package'}, which the list does not bring: {sorted(users)[0]}"
-                          + (f" and {len(users) - 1} more" if len(users) > 1 else ""))
         print(f"{kind}: {len(paths)} files looked up")
+        faults += missing(kind, paths, available)
         if not paths and kind in ("header", "CMake package", "library"):
             faults.append(f"no {kind} found in {build}: nothing was checked")
-    print("\n".join(faults) if faults else f"complete: {len(names)} packages listed, {len(available)} with what they need")
+    print("\n".join(faults) if faults else f"complete: {len(names)} packages listed, {len(for_all)} with what they need")
     return 1 if faults else 0
 
 

@@ -1,8 +1,6 @@
 # What lands where; the folders come from cmake/ros.cmake.
 get_property(libraries GLOBAL PROPERTY MONOCULAR_EYE_HAND_LIBRARIES)
 get_property(programs GLOBAL PROPERTY MONOCULAR_EYE_HAND_PROGRAMS)
-get_property(tools GLOBAL PROPERTY MONOCULAR_EYE_HAND_TOOLS)
-list(APPEND programs ${tools})
 set(share ${MONOCULAR_EYE_HAND_SHARE_DESTINATION})
 
 install(TARGETS ${libraries} EXPORT ${PROJECT_NAME}
