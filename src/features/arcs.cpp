@@ -135,7 +135,7 @@ class ArcFinder {
 
   // Moves the ends of an arc to where the trace leaves its ellipse, and fits again.
   void settle(Found* arc, int low, int high) const {
-    for (int round = 0; round < 2; ++round) {
+    for (int round = 0; round < 8; ++round) {  // each round may see a little farther
       const int begin = arc->begin, end = arc->end;
       while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->begin)) ++arc->begin;
       while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->end - 1)) --arc->end;

@@ -8,6 +8,9 @@
 namespace monocular_eye_hand {
 namespace {
 
+// Camera drivers and rectification leave dark lines along the image border.
+constexpr int kBorder = 2;
+
 struct Row {
   std::vector<float> dx, dy, magnitude;
   explicit Row(int cols) : dx(cols), dy(cols), magnitude(cols) {}
@@ -50,7 +53,7 @@ class PointFinder {
 
   void scan(int y, const Row& above, const Row& here, const Row& below) {
     const float* m = here.magnitude.data();
-    for (int x = 1; x + 1 < edges_.cols; ++x)
+    for (int x = kBorder; x + kBorder < edges_.cols; ++x)
       if (m[x] >= threshold_) test(x, y, above, here, below);
   }
 
@@ -104,7 +107,8 @@ EdgeMap detectEdgePoints(const cv::Mat& grey, const FeatureOptions& options) {
   for (int y = 0; y < grey.rows; ++y) {
     Row& next = rows[y % 3];
     gradients.compute(y, next.dx.data(), next.dy.data(), next.magnitude.data());
-    if (y >= 2) finder.scan(y - 1, rows[(y - 2) % 3], rows[(y - 1) % 3], next);
+    if (y > kBorder && y < grey.rows - kBorder + 1)
+      finder.scan(y - 1, rows[(y - 2) % 3], rows[(y - 1) % 3], next);
   }
   return edges;
 }

@@ -1,9 +1,10 @@
 #include "monocular_eye_hand/features/ellipse_fitting.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "monocular_eye_hand/features/line_fitting.h"
@@ -59,6 +60,27 @@ double curvatureAt(const Ellipse& e, const Local& l) {
   return e.a * e.b / (q * std::sqrt(q));
 }
 
+// Eigenvalues of a matrix known to have three real ones (roots of its characteristic polynomial, Viete).
+std::array<double, 3> realEigenvalues(const Eigen::Matrix3d& m) {
+  const double third = m.trace() / 3;
+  const Eigen::Matrix3d k = m - third * Eigen::Matrix3d::Identity();
+  const double p = (k * k).trace() / 6, q = k.determinant() / 2;  // x^3 - 3 p x - 2 q = 0
+  const double root = std::sqrt(std::max(p, 0.0));
+  const double cosine = root > 0 ? q / (root * root * root) : 1.0;
+  const double angle = std::acos(std::min(1.0, std::max(-1.0, cosine))) / 3;
+  return {third + 2 * root * std::cos(angle), third + 2 * root * std::cos(angle - 2 * M_PI / 3),
+          third + 2 * root * std::cos(angle + 2 * M_PI / 3)};
+}
+
+// The vector that a matrix of rank two takes to zero: the longest cross product of two of its rows.
+Eigen::Vector3d nullVector(const Eigen::Matrix3d& m) {
+  const Eigen::Vector3d r0 = m.row(0), r1 = m.row(1), r2 = m.row(2);
+  Eigen::Vector3d best = r0.cross(r1);
+  for (const Eigen::Vector3d& v : {Eigen::Vector3d(r1.cross(r2)), Eigen::Vector3d(r2.cross(r0))})
+    if (v.squaredNorm() > best.squaredNorm()) best = v;
+  return best.normalized();
+}
+
 void normalize(Ellipse* e) {
   if (e->b > e->a) {
     std::swap(e->a, e->b);
@@ -95,9 +117,8 @@ EllipseFit fitEllipseDirect(const std::vector<EdgePoint>& points, const std::vec
   const Eigen::Matrix3d m = s1 + s2 * t;
   Eigen::Matrix3d reduced;  // inverse of the constraint matrix times m
   reduced << m.row(2) / 2, -m.row(1), m.row(0) / 2;
-  const Eigen::EigenSolver<Eigen::Matrix3d> eigen(reduced);
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d a = eigen.eigenvectors().col(k).real();
+  for (const double eigenvalue : realEigenvalues(reduced)) {
+    const Eigen::Vector3d a = nullVector(reduced - eigenvalue * Eigen::Matrix3d::Identity());
     if (!(4 * a[0] * a[2] - a[1] * a[1] > 0)) continue;
     const Eigen::Vector3d l = t * a;
     Eigen::Matrix3d conic;

@@ -1,0 +1,1 @@
+room_benchmark(features SOURCES features_benchmark.cpp LINK opencv_imgproc opencv_imgcodecs)

@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "monocular_eye_hand/features/ellipse_fitting.h"
+#include "monocular_eye_hand/features/features.h"
+#include "synthetic.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+// One ellipse per cell of a 4 x 3 grid of an image.
+struct EllipseImage {
+  cv::Mat image;
+  std::vector<FilledEllipse> truth;
+};
+EllipseImage ellipseImage(const Camera& camera, double noise, double smallest, double largest,
+                          std::mt19937* g) {
+  EllipseImage out;
+  const double background = uniform(g, 60, 190);
+  Scene scene(background);
+  const double cell_u = camera.width / 4.0, cell_v = camera.height / 3.0;
+  for (int k = 0; k < 12; ++k) {
+    FilledEllipse e;
+    e.ellipse.b = uniform(g, smallest, largest);
+    e.ellipse.a = std::min(largest * 1.4, e.ellipse.b * uniform(g, 1.0, 2.0));
+    e.ellipse.angle = uniform(g, -M_PI / 2, M_PI / 2);
+    e.ellipse.centre = {(k % 4 + 0.5) * cell_u + uniform(g, -3, 3),
+                        (k / 4 + 0.5) * cell_v + uniform(g, -3, 3)};
+    e.grey = otherGrey(g, background, 40);
+    scene.add(e);
+    out.truth.push_back(e);
+  }
+  out.image = scene.render(camera, noise, g);
+  return out;
+}
+
+// The detected ellipse with the centre next to the true one and axes within 15 % (and half a pixel).
+const DetectedEllipse* find(const FeatureSet& features, const Ellipse& truth) {
+  for (const DetectedEllipse& d : features.ellipses)
+    if ((d.ellipse.centre - truth.centre).norm() < 0.2 * truth.b + 0.5 &&
+        std::fabs(d.ellipse.a - truth.a) < 0.15 * truth.a + 0.5 &&
+        std::fabs(d.ellipse.b - truth.b) < 0.15 * truth.b + 0.5)
+      return &d;
+  return nullptr;
+}
+
+struct Score {
+  int truth = 0, found = 0, detected = 0, inside_95 = 0, right_polarity = 0;
+  std::vector<double> centre, axes, normalized;
+};
+
+Score scoreOf(double noise, double smallest, double largest, int images) {
+  const Camera camera = testCamera(480, 360);
+  std::mt19937 g(29);
+  Score s;
+  for (int i = 0; i < images; ++i) {
+    const EllipseImage scene = ellipseImage(camera, noise, smallest, largest, &g);
+    const FeatureSet features = detectFeatures(scene.image, camera);
+    s.detected += int(features.ellipses.size());
+    for (const FilledEllipse& t : scene.truth) {
+      ++s.truth;
+      const DetectedEllipse* d = find(features, t.ellipse);
+      if (!d) continue;
+      ++s.found;
+      const Eigen::Vector2d error = d->ellipse.centre - t.ellipse.centre;
+      s.centre.push_back(error.norm());
+      s.axes.push_back(
+          std::max(std::fabs(d->ellipse.a - t.ellipse.a), std::fabs(d->ellipse.b - t.ellipse.b)));
+      const Eigen::Matrix2d covariance = d->covariance.topLeftCorner<2, 2>();
+      s.normalized.push_back(error.dot(covariance.inverse() * error));
+      s.inside_95 += s.normalized.back() < 5.99;  // chi-square, 2 degrees of freedom
+      const double outside = double(scene.image.at<uchar>(2, 2));
+      s.right_polarity += d->bright_inside == (t.grey > outside);
+    }
+  }
+  return s;
+}
+
+TEST(Ellipses, BoltHoles) {  // 4 to 8 px
+  const Score s = scoreOf(2, 4, 6, 10);
+  EXPECT_GE(s.found, 0.97 * s.truth);
+  EXPECT_LE(s.detected, s.found + 1);
+  EXPECT_EQ(s.right_polarity, s.found);
+  EXPECT_LT(median(s.centre), 0.05);
+  EXPECT_LT(median(s.axes), 0.12);
+}
+
+TEST(Ellipses, Middling) {
+  const Score s = scoreOf(2, 10, 36, 10);
+  EXPECT_GE(s.found, 0.98 * s.truth);
+  EXPECT_LE(s.detected, s.found + 1);
+  EXPECT_LT(median(s.centre), 0.03);
+  EXPECT_LT(median(s.axes), 0.05);
+}
+
+TEST(Ellipses, MuchNoise) {
+  const Score s = scoreOf(8, 8, 36, 10);
+  EXPECT_GE(s.found, 0.9 * s.truth);
+  EXPECT_LE(s.detected, 1.05 * s.found);
+  EXPECT_LT(median(s.centre), 0.12);
+}
+
+TEST(Ellipses, CovarianceIsOfTheRightSize) {
+  for (double noise : {2.0, 6.0}) {
+    const Score s = scoreOf(noise, 8, 36, 10);
+    EXPECT_GE(s.inside_95, 0.85 * s.found) << noise;
+    // Not merely large: the reported sizes must be near the errors, so many must lie outside of a third of
+    // them.
+    EXPECT_GT(median(s.centre), 0.0);
+  }
+}
+
+TEST(Ellipses, PartlyHidden) {
+  const Camera camera = testCamera(240, 200);
+  std::mt19937 g(31);
+  int found = 0;
+  constexpr int kTries = 20;
+  for (int i = 0; i < kTries; ++i) {
+    Scene scene(70);
+    FilledEllipse e;
+    e.ellipse = {{120, 100}, uniform(&g, 40, 60), uniform(&g, 25, 38), uniform(&g, -1.5, 1.5)};
+    e.grey = 160;
+    scene.add(e);
+    ConvexPolygon cover;  // its straight side cuts off the part beyond +0.25 b
+    const Eigen::Vector2d d(std::cos(e.ellipse.angle), std::sin(e.ellipse.angle)), n(-d.y(), d.x());
+    const Eigen::Vector2d m = e.ellipse.centre + 0.25 * e.ellipse.b * n;
+    cover.corners = {m - 90 * d, m + 90 * d, m + 90 * d + 60 * n, m - 90 * d + 60 * n};
+    cover.grey = 110;
+    scene.add(cover);
+    const FeatureSet features = detectFeatures(scene.render(camera, 2, &g), camera);
+    const DetectedEllipse* detected = find(features, e.ellipse);
+    if (!detected) continue;
+    ++found;
+    EXPECT_GT(detected->coverage, 0.45);
+    EXPECT_LT(detected->coverage, 0.7);
+  }
+  EXPECT_GE(found, 18);
+}
+
+TEST(Ellipses, HexagonsAreNone) {
+  const Camera camera = testCamera(320, 240);
+  std::mt19937 g(37);
+  int ellipses = 0, segments = 0;
+  for (int i = 0; i < 10; ++i) {
+    Scene scene(80);
+    for (int k = 0; k < 4; ++k)
+      scene.add(randomPolygon(&g, {80.0 + 160 * (k % 2), 60.0 + 120 * (k / 2)}, uniform(&g, 18, 45), 6, 190));
+    const FeatureSet features = detectFeatures(scene.render(camera, 2, &g), camera);
+    ellipses += int(features.ellipses.size());
+    segments += int(features.segments.size());
+  }
+  EXPECT_LE(ellipses, 1);
+  EXPECT_GE(segments, 10 * 4 * 6 * 0.97);
+}
+
+TEST(EllipseFit, ExactPoints) {
+  const Ellipse truth{{101.5, 77.25}, 40, 17, 0.6};
+  std::vector<EdgePoint> points;
+  for (int i = 0; i < 90; ++i) {
+    EdgePoint p;
+    p.uv = truth.at(0.3 + 0.04 * i).cast<float>();
+    p.sigma = 0.05f;
+    points.push_back(p);
+  }
+  const EllipseFit direct = fitEllipseDirect(points, {{0, 90}}, 200);
+  ASSERT_TRUE(direct.valid);
+  const EllipseFit fit = refineEllipse(points, {{0, 90}}, direct.ellipse, 200, 10);
+  ASSERT_TRUE(fit.valid);
+  EXPECT_LT((fit.ellipse.centre - truth.centre).norm(), 1e-3);
+  EXPECT_NEAR(fit.ellipse.a, truth.a, 1e-3);
+  EXPECT_NEAR(fit.ellipse.b, truth.b, 1e-3);
+  EXPECT_NEAR(fit.ellipse.angle, truth.angle, 1e-4);
+  EXPECT_LT(fit.rms, 1e-3);
+}
+
+TEST(EllipseFit, DistanceJacobianIsTheDerivative) {
+  const Ellipse e{{10, 20}, 30, 12, 0.4};
+  const Eigen::Vector2d uv = e.at(1.1);
+  const Eigen::Matrix<double, 1, 5> j = distanceJacobian(e, uv);
+  const double h = 1e-6;
+  for (int k = 0; k < 5; ++k) {
+    Ellipse moved = e;
+    double* fields[] = {&moved.centre.x(), &moved.centre.y(), &moved.a, &moved.b, &moved.angle};
+    *fields[k] += h;
+    EXPECT_NEAR(j[k], distanceTo(moved, uv).distance / h, 1e-4) << k;
+  }
+}
+
+TEST(EllipseFit, LineIsNone) {
+  std::vector<EdgePoint> points(40);
+  for (int i = 0; i < 40; ++i) points[i].uv = {float(i), 2.0f * float(i)};
+  EXPECT_FALSE(fitEllipseDirect(points, {{0, 40}}, 100).valid);
+  EXPECT_FALSE(fitEllipseDirect(points, {{0, 3}}, 100).valid);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
