@@ -95,7 +95,8 @@ void requireKnown(const OptionTree& tree, const std::string& key, const std::vec
     size_t best = 1 + entry.first.size() / 2;  // a match that changes more than half is no match
     const std::string* nearest = nullptr;
     for (const std::string& name : known) {
-      const size_t distance = editDistance(entry.first, name);
+      const bool part = name.find(entry.first) != std::string::npos;  // an abbreviation of it
+      const size_t distance = part ? 1 : editDistance(entry.first, name);
       if (distance < best) best = distance, nearest = &name;
     }
     if (nearest) message += "; did you mean '" + join(key, *nearest) + "'?";

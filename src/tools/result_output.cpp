@@ -21,10 +21,10 @@ std::string objectLine(const RecognizedObject& object, size_t name_width) {
   const Eigen::Vector3d t = object.camera_from_object.translation * 1e3;
   const Eigen::Vector3d rpy = rollPitchYaw(object.camera_from_object.rotation) * (180 / M_PI);
   char text[256];
-  std::snprintf(text, sizeof text, "  %-*s %8.1f %8.1f %8.1f  %7.1f %7.1f %7.1f  %11.3f  %-9s",
-                int(name_width), object.name.c_str(), t.x(), t.y(), t.z(), rpy.x(), rpy.y(), rpy.z(),
-                object.probability, name(object.decision));
-  return text + (object.symmetry.empty() ? "" : " " + object.symmetry) + "\n";
+  std::snprintf(text, sizeof text, "  %-*s %8.1f %8.1f %8.1f  %7.1f %7.1f %7.1f  %11.3f  %s", int(name_width),
+                object.name.c_str(), t.x(), t.y(), t.z(), rpy.x(), rpy.y(), rpy.z(), object.probability,
+                name(object.decision));
+  return text + (object.symmetry.empty() ? "" : ", " + object.symmetry) + "\n";
 }
 
 Json list(const double* values, size_t count) {
@@ -81,7 +81,7 @@ std::string table(const ImageReport& report) {
   size_t width = 4;
   for (const RecognizedObject& object : objects) width = std::max(width, object.name.size());
   text += "  name" + std::string(width - 4, ' ') +
-          "   x [mm]   y [mm]   z [mm]    roll [deg] pitch   yaw  probability  decision\n";
+          "   x [mm]   y [mm]   z [mm]  roll[deg]  pitch     yaw  probability  decision\n";
   for (const RecognizedObject& object : objects) text += objectLine(object, width);
   return text;
 }

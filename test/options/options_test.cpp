@@ -113,6 +113,8 @@ TEST(Options, an_unknown_key_is_named_in_full_with_the_nearest_known_one) {
   EXPECT_THAT(nested, HasSubstr("did you mean 'lens.blur'?"));
   EXPECT_THAT(nested, HasSubstr("Known here: blur, k"));
   EXPECT_THAT(refusal("stages: [{}, {round: 2}]"), HasSubstr("'stages[1].round'"));
+  EXPECT_THAT(refusal("line: 2"), HasSubstr("did you mean 'lines'?"));
+  EXPECT_THAT(refusal("lens: {bl: 2}"), HasSubstr("did you mean 'lens.blur'?"));
   const std::string far_off = refusal("exposure_time: 1");
   EXPECT_THAT(far_off, HasSubstr("'exposure_time'"));
   EXPECT_THAT(far_off, Not(HasSubstr("did you mean")));

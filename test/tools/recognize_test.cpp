@@ -133,5 +133,12 @@ TEST_F(Recognize, shows_the_options_it_would_use) {
   EXPECT_EQ(run(RECOGNIZE_PROGRAM, "--options again.yaml --show-options").out, result.out);
 }
 
+TEST_F(Recognize, the_shipped_parameters_are_the_defaults) {
+  const std::string shipped = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/recognizer.yaml";
+  const ProgramResult result = run(RECOGNIZE_PROGRAM, "--options '" + shipped + "' --show-options");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.out, run(RECOGNIZE_PROGRAM, "--show-options").out);
+}
+
 }  // namespace
 }  // namespace monocular_eye_hand
