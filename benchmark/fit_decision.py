@@ -12,15 +12,17 @@ import math
 
 import numpy as np
 
-NAMES = ['log_sum', 'mean', 'hit_ratio', 'log_groups', 'unsupported', 'unsupported_length', 'continuation',
-         'interior', 'off_face', 'solidity', 'log_size', 'log_contrast', 'in_frame', 'rms']
+NAMES = ['log_sum', 'mean', 'hit_ratio', 'silhouette_hits', 'crease_hits', 'log_groups', 'unsupported',
+         'unsupported_length', 'continuation', 'overhang', 'interior', 'solidity', 'log_faces', 'log_size',
+         'log_contrast', 'in_frame', 'rms']
 
 
 def feature(row, name):
     if name.startswith('log_'):
-        floor = {'log_sum': 1.0, 'log_groups': 1.0, 'log_size': 1.0, 'log_contrast': 0.1}[name]
+        floor = {'log_sum': 1.0, 'log_groups': 1.0, 'log_size': 1.0, 'log_faces': 1.0,
+                 'log_contrast': 0.1}[name]
         return math.log(max(float(row[name[4:]]), floor))
-    return float(row[name])
+    return min(float(row[name]), 0.5) if name == 'interior' else float(row[name])
 
 
 def read(paths):
@@ -35,7 +37,7 @@ def read(paths):
     return rows, x, y
 
 
-def fit(x, y, ridge=1.0):
+def fit(x, y, ridge=3.0):
     """Ridge logistic regression by Newton's method on standardised columns; returns (bias, weights) in the original scale."""
     mean, scale = x.mean(0), x.std(0) + 1e-9
     a = np.c_[np.ones(len(x)), (x - mean) / scale]
@@ -75,7 +77,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('dumps', nargs='+')
     parser.add_argument('--holdout', help='column whose values are left out in turn, e.g. scene_id')
-    parser.add_argument('--ridge', type=float, default=1.0)
+    parser.add_argument('--ridge', type=float, default=3.0)
     args = parser.parse_args()
     rows, x, y = read(args.dumps)
     bias, w = fit(x, y, args.ridge)

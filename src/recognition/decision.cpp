@@ -33,26 +33,29 @@ bool conflict(const Candidate& chosen, const Candidate& other) {
 }  // namespace
 
 double probability(const EvidenceTerms& t, const DecisionWeights& w) {
-  const double logit = w.bias + w.log_sum * std::log(std::max(t.sum, 1.0)) + w.mean * t.mean +
-                       w.hit_ratio * t.hit_ratio + w.log_groups * std::log(std::max(t.groups, 1.0)) +
-                       w.unsupported * t.unsupported + w.unsupported_length * t.unsupported_length +
-                       w.continuation * t.continuation + w.interior * t.interior + w.off_face * t.off_face +
-                       w.solidity * t.solidity + w.log_size * std::log(std::max(t.size, 1.0)) +
-                       w.log_contrast * std::log(std::max(t.contrast, 0.1)) + w.in_frame * t.in_frame +
-                       w.rms * t.rms;
+  const auto logOf = [](double value, double floor) { return std::log(std::max(value, floor)); };
+  const double logit = w.bias + w.log_sum * logOf(t.sum, 1) + w.mean * t.mean + w.hit_ratio * t.hit_ratio +
+                       w.silhouette_hits * t.silhouette_hits + w.crease_hits * t.crease_hits +
+                       w.log_groups * logOf(t.groups, 1) + w.unsupported * t.unsupported +
+                       w.unsupported_length * t.unsupported_length + w.continuation * t.continuation +
+                       w.overhang * t.overhang + w.interior * std::min(t.interior, 0.5) +
+                       w.solidity * t.solidity + w.log_faces * logOf(t.faces, 1) +
+                       w.log_size * logOf(t.size, 1) + w.log_contrast * logOf(t.contrast, 0.1) +
+                       w.in_frame * t.in_frame + w.rms * t.rms;
   return 1 / (1 + std::exp(-logit));
 }
 
-double rankScore(const EvidenceTerms& terms) {
-  return terms.sum * (1 - std::min(0.9, 1.5 * terms.off_face + 0.5 * terms.continuation));
+double rankScore(const Candidate& candidate) {
+  const EvidenceTerms& terms = candidate.terms;
+  const double contradicted = std::min(0.9, 1.5 * terms.off_face + 0.5 * terms.continuation);
+  return terms.sum * (1 - contradicted) * (candidate.probability + 0.05);
 }
 
 std::vector<Explanation> chooseExplanations(const std::vector<Candidate>& candidates) {
   std::vector<int> order(candidates.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return rankScore(candidates[a].terms) > rankScore(candidates[b].terms);
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return rankScore(candidates[a]) > rankScore(candidates[b]); });
   std::vector<Explanation> chosen;
   for (int index : order) {
     Explanation* owner = nullptr;

@@ -130,7 +130,7 @@ RecognizedObject reportObject(const std::vector<SearchModel>& models,
     if (!other) continue;
     object.alternatives.push_back({rival.object, rival.pose.camera_from_object, rival.probability});
     // Less total evidence by far is a part of the better explanation, not a twin of it.
-    twin = twin || rankScore(rival.terms) > 0.85 * rankScore(best.terms);
+    twin = twin || rankScore(rival) > 0.85 * rankScore(best);
   }
   std::ostringstream reason;
   if (best.probability < options.accept_probability) {

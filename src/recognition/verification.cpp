@@ -29,7 +29,7 @@ void matchSamples(const VerificationContext& context, Candidate* candidate) {
 void contourTerms(const VerificationContext& context, Candidate* candidate) {
   EvidenceTerms& terms = candidate->terms;
   double sum = 0, squares = 0;
-  int inside = 0, hits = 0;
+  int inside = 0, hits = 0, outline = 0, outline_hits = 0;
   std::map<int, std::pair<int, int>> groups;  // group -> samples, hits
   std::vector<float> gradients;
   for (const SeenSample& s : candidate->contour) {
@@ -37,6 +37,8 @@ void contourTerms(const VerificationContext& context, Candidate* candidate) {
     ++inside;
     auto& group = groups[s.group];
     ++group.first;
+    outline += s.silhouette;
+    outline_hits += s.silhouette && s.edge_point >= 0;
     const int bin = orientationBin(float(s.direction.x()), float(s.direction.y()));
     const int8_t value = context.map.at(bin, int(std::lround(s.uv.x())) - context.map.u0(),
                                         int(std::lround(s.uv.y())) - context.map.v0());
@@ -53,6 +55,9 @@ void contourTerms(const VerificationContext& context, Candidate* candidate) {
   terms.sum = nats * kStep / kIndependent;
   terms.mean = inside ? nats / inside : 0;
   terms.hit_ratio = inside ? double(hits) / inside : 0;
+  terms.silhouette_hits = outline ? double(outline_hits) / outline : terms.hit_ratio;
+  terms.crease_hits =
+      inside > outline ? double(hits - outline_hits) / (inside - outline) : terms.silhouette_hits;
   terms.in_frame = candidate->contour.empty() ? 0 : double(inside) / double(candidate->contour.size());
   terms.contour_length = inside * kStep;
   terms.rms = hits ? std::sqrt(squares / hits) : kHitRange;
@@ -138,6 +143,23 @@ void continuationTerm(const VerificationContext& context, const ObjectModel& mod
   candidate->terms.continuation = tested > 0 ? running / tested : 0;
 }
 
+// Image segments that the drawing uses only in part: what is left over belongs to something else.
+void overhangTerm(const VerificationContext& context, Candidate* candidate) {
+  double used_length = 0, left_over = 0;
+  for (const LineSegment& segment : context.features.segments) {
+    if (!segment.pieces.empty()) continue;  // its pieces speak for it
+    const auto first = std::lower_bound(candidate->claimed.begin(), candidate->claimed.end(), segment.first);
+    const auto last =
+        std::lower_bound(candidate->claimed.begin(), candidate->claimed.end(), segment.first + segment.count);
+    // Claimed points stand a step apart: each answers for the step.
+    const double length = segment.length(), used = std::min(length, double(last - first) * kStep);
+    if (last - first < 2) continue;
+    used_length += length;
+    left_over += std::max(0.0, length - used - kStep);
+  }
+  candidate->terms.overhang = used_length > 0 ? left_over / used_length : 0;
+}
+
 void boundingBox(const VerificationContext& context, Candidate* candidate) {
   Eigen::AlignedBox2d box;
   for (const SeenSample& s : candidate->contour) box.extend(s.uv);
@@ -161,6 +183,9 @@ std::map<std::string, double> EvidenceTerms::named() const {
           {"unsupported_length", unsupported_length},
           {"continuation", continuation},
           {"ends", ends},
+          {"silhouette_hits", silhouette_hits},
+          {"crease_hits", crease_hits},
+          {"overhang", overhang},
           {"interior", interior},
           {"off_face", off_face},
           {"faces", faces},
@@ -180,6 +205,7 @@ void verify(const SearchModel& model, const VerificationContext& context, Candid
   contourTerms(context, candidate);
   boundingBox(context, candidate);
   continuationTerm(context, model.model(), candidate);
+  overhangTerm(context, candidate);
   faceTerms(model.model(), context, candidate);
 }
 

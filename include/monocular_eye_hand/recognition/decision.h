@@ -7,23 +7,26 @@
 namespace monocular_eye_hand {
 
 /// Weights of the evidence terms in the log-odds that a candidate is right. They were fitted by logistic
-/// regression on candidates from rendered training scenes (scripts/fit_decision.py); see docs/pipeline.md.
+/// regression on candidates from rendered training scenes (benchmark/fit_decision.py); see docs/pipeline.md.
 struct DecisionWeights {
-  double bias = -6.0;
-  double log_sum = 1.6;
-  double mean = 0.3;
-  double hit_ratio = 2.0;
-  double log_groups = 0.8;
-  double unsupported = -2.0;
-  double unsupported_length = -1.5;
-  double continuation = -2.4;
-  double interior = -1.5;
-  double off_face = -3.0;
-  double solidity = 0.5;
-  double log_size = 0.0;
-  double log_contrast = 0.0;
-  double in_frame = 0.0;
-  double rms = -0.5;
+  double bias = -18.66;
+  double log_sum = 0.148;
+  double mean = 1.681;
+  double hit_ratio = -2.441;
+  double silhouette_hits = -1.194;
+  double crease_hits = 0.389;
+  double log_groups = -0.645;
+  double unsupported = -5.443;
+  double unsupported_length = -4.326;
+  double continuation = -3.997;
+  double overhang = -6.987;
+  double interior = -2.007;
+  double solidity = -2.066;
+  double log_faces = 3.949;
+  double log_size = 3.104;
+  double log_contrast = -0.075;
+  double in_frame = 7.275;
+  double rms = -3.634;
 
   template <class Visitor>
   void visit(Visitor&& v) {
@@ -31,13 +34,16 @@ struct DecisionWeights {
     v("log_sum", log_sum);
     v("mean", mean);
     v("hit_ratio", hit_ratio);
+    v("silhouette_hits", silhouette_hits);
+    v("crease_hits", crease_hits);
     v("log_groups", log_groups);
     v("unsupported", unsupported);
     v("unsupported_length", unsupported_length);
     v("continuation", continuation);
+    v("overhang", overhang);
     v("interior", interior);
-    v("off_face", off_face);
     v("solidity", solidity);
+    v("log_faces", log_faces);
     v("log_size", log_size);
     v("log_contrast", log_contrast);
     v("in_frame", in_frame);
@@ -48,8 +54,10 @@ struct DecisionWeights {
 /// Calibrated probability that object and pose of the candidate are right.
 double probability(const EvidenceTerms& terms, const DecisionWeights& weights);
 
-/// Order among explanations of the same part of the image: total evidence, discounted by what contradicts it.
-double rankScore(const EvidenceTerms& terms);
+/// Order among explanations of the same part of the image: total evidence, discounted by what contradicts it
+/// and by the probability. Evidence alone lets large wrong poses win, probability alone lets a tidy part of
+/// an object win over the whole.
+double rankScore(const Candidate& candidate);
 
 /// A chosen candidate and the others that explain the same part of the image.
 struct Explanation {

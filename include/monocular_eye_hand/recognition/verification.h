@@ -19,15 +19,18 @@ struct EvidenceTerms {
   double groups = 0;              ///< visible model features (edges, circles, silhouettes)
   double unsupported = 0;         ///< share of them with hardly any edge under them
   double unsupported_length = 0;  ///< ... weighted by their length
-  double continuation = 0;        ///< share of edge ends past which an image edge runs straight on
-  double ends = 0;                ///< edge ends that were tested for it
-  double interior = 0;            ///< share of face pixels with an edge that the model does not explain
-  double off_face = 0;            ///< share of face pixels that depart from a smooth shading of their face
-  double faces = 0;               ///< visible faces
-  double solidity = 0;            ///< drawn area over the area of the drawing's convex hull
-  double size = 0;                ///< square root of the drawn area [px]
-  double contrast = 0;  ///< median gradient of the answering edge points, relative to the image's noise
-  double rms = 0;       ///< back-projection error of the answered samples [px]
+  double silhouette_hits = 0;     ///< hit ratio of the outline alone
+  double crease_hits = 0;         ///< ... of the inner edges alone (of the outline where there are none)
+  double overhang = 0;      ///< share of the length of the image segments it uses that it does not explain
+  double continuation = 0;  ///< share of edge ends past which an image edge runs straight on
+  double ends = 0;          ///< edge ends that were tested for it
+  double interior = 0;      ///< share of face pixels with an edge that the model does not explain
+  double off_face = 0;      ///< share of face pixels that depart from a smooth shading of their face
+  double faces = 0;         ///< visible faces
+  double solidity = 0;      ///< drawn area over the area of the drawing's convex hull
+  double size = 0;          ///< square root of the drawn area [px]
+  double contrast = 0;      ///< median gradient of the answering edge points, relative to the image's noise
+  double rms = 0;           ///< back-projection error of the answered samples [px]
 
   std::map<std::string, double> named() const;
 };
