@@ -6,16 +6,19 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/recognition/alignment.h"
+#include "monocular_eye_hand/recognition/constellation.h"
 #include "monocular_eye_hand/recognition/reporting.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 const std::vector<double> kFineRanges{6.0, 4.0, 2.5, 1.5};  // [px]
+constexpr double kFineStep = 4.0;                           // contour samples of the fine alignment [px]
 constexpr double kSamePose = 4.0;                           // poses this near in the image are one [px]
 constexpr float kMinAligned = 6.0f;                         // nats after coarse alignment
-constexpr double kExplainedShare = 0.7;                     // of a segment's points claimed: it is explained
-constexpr double kSurelyRight = 0.9;  // only such objects explain features away during the search
+constexpr double kWorthRecalculating = 0.05;  // probability from which a candidate may still be reported
+constexpr double kExplainedShare = 0.7;       // of a segment's points claimed: it is explained
+constexpr double kSurelyRight = 0.9;          // only such objects explain features away during the search
 
 double gradientNoise(const FeatureSet& features) {
   if (features.points.empty()) return 1;
@@ -209,6 +212,61 @@ std::vector<char> ImageSearch::unexplainedSegments() const {
   return usable;
 }
 
+void ImageSearch::recalculateChosen() {
+  timed("best four", [&](StageReport* report) {
+    const VerificationContext context{
+        camera_, domain_, result_.features, *map_, *raster_, rect_grey_, gradientNoise(result_.features)};
+    const std::vector<ImageCorner> corners = imageCorners(result_.groupings);
+    for (const Explanation& e : chooseExplanations(candidates_)) {
+      Candidate& candidate = candidates_[e.candidate];
+      if (candidate.probability < kWorthRecalculating) continue;
+      const SearchModel& model = models_[candidate.object];
+      const std::vector<PointMatch> matches =
+          growConstellation(model, candidate, camera_, result_.features, corners);
+      candidate.matched_corners = int(matches.size());
+      report->counts["corners"] += double(matches.size());
+      if (matches.size() < 4) continue;
+      const RefinedPose four = poseFromBestFour(matches, candidate.pose.camera_from_object, camera_);
+      if (!four.well_posed) continue;
+      Candidate again = candidate;
+      again.pose =
+          alignFinely(model, camera_, domain_, *raster_, four.camera_from_object, {2.5, 1.5}, kFineStep);
+      if (!again.pose.well_posed) continue;
+      again.pose.camera_from_object = model.canonical(again.pose.camera_from_object, &again.view);
+      verify(model, context, &again);
+      again.probability = probability(again.terms, options_.decision);
+      if (again.terms.sum <= candidate.terms.sum || again.probability < candidate.probability) continue;
+      candidate = std::move(again);
+      ++report->counts["improved"];
+    }
+  });
+}
+
+void ImageSearch::refineInFull() {
+  if (camera_.width == full_camera_.width || result_.objects.empty()) return;
+  timed("full resolution", [&](StageReport* report) {
+    const double scale = double(full_camera_.width) / camera_.width;
+    const FeatureSet features = detectFeatures(image_, full_camera_, options_.features);
+    const RectDomain domain = rectDomain(full_camera_);
+    const EdgeRaster raster(features, domain);
+    for (RecognizedObject& object : result_.objects) {
+      const RefinedPose refined =
+          alignFinely(models_[object.object], full_camera_, domain, raster, object.camera_from_object,
+                      {1.5 * scale, scale, 1.5}, kFineStep * scale);
+      const cv::Rect& box = object.bounding_box;
+      object.bounding_box =
+          cv::Rect(int(box.x * scale), int(box.y * scale), int(box.width * scale), int(box.height * scale));
+      const bool stayed =
+          models_[object.object].poseDistance(full_camera_, refined.camera_from_object,
+                                              object.camera_from_object) < 2 * kSamePose * scale;
+      if (!refined.well_posed || !stayed) continue;
+      object.camera_from_object = refined.camera_from_object;
+      object.covariance = refined.covariance;
+    }
+    report->counts = {{"edge points", double(features.points.size())}};
+  });
+}
+
 bool ImageSearch::found() const {
   for (const Explanation& e : chooseExplanations(candidates_))
     if (candidates_[e.candidate].probability >= options_.accept_probability) return true;
@@ -221,6 +279,7 @@ RecognitionResult ImageSearch::run(const std::vector<RecognizedObject>& previous
   searchGroupings();
   if (only_ < 0 || !found()) searchEdges();
   result_.truncated = outOfTime();
+  recalculateChosen();
 
   timed("decision", [&](StageReport* report) {
     for (const Explanation& e : chooseExplanations(candidates_)) {
@@ -245,6 +304,7 @@ RecognitionResult ImageSearch::run(const std::vector<RecognizedObject>& previous
     report->counts = {{"found", double(result_.objects.size())},
                       {"rejected", double(result_.rejected.size())}};
   });
+  refineInFull();
   if (result_.objects.empty()) {
     if (result_.features.segments.empty() && result_.features.ellipses.empty())
       result_.reason = "no straight edge and no ellipse in the image: too dark, blurred or empty";

@@ -27,6 +27,8 @@ class ImageSearch {
   void judgeHypotheses(int object, int count);
   std::vector<char> unexplainedSegments() const;
   bool found() const;
+  void recalculateChosen();  // seed 2.4: best four of the constellation
+  void refineInFull();       // when the image was searched at a lower resolution
   void timed(const char* stage, const std::function<void(StageReport*)>& work);
 
   const ModelBase& base_;

@@ -46,6 +46,7 @@ struct Candidate {
   std::vector<int> claimed;  ///< edge points that answer it, ascending
   std::vector<int> covered;  ///< cells of kCoverCell px that its faces cover, ascending
   int matched_groups = 0;
+  int matched_corners = 0;  ///< size of its constellation, see growConstellation
   cv::Rect bounding_box;
   double probability = 0;
 };
