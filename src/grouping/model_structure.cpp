@@ -160,10 +160,13 @@ int commonPlane(const ObjectModel& model, const std::vector<int>& edges) {
 bool seenFromOneSide(const ObjectModel& model, const std::vector<int>& edges, int surface) {
   const Eigen::Vector3d n = model.surfaces[surface].axis;
   std::array<Eigen::Vector3d, 4> neighbour;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (int e : edges) centre += 0.125 * (model.edges[e].p + model.edges[e].q);
   for (int i = 0; i < 4; ++i) {
     const ModelEdge& edge = model.edges[edges[i]];
     if (!edge.convex || edge.surface[0] < 0 || edge.surface[1] < 0) return false;
     neighbour[i] = edge.normal[edge.surface[0] == surface ? 1 : 0];
+    if (neighbour[i].dot(edge.p - centre) <= 0) return false;
   }
   for (int i = 0; i < 2; ++i) {
     const Eigen::Vector3d sum = neighbour[i] + neighbour[i + 2];

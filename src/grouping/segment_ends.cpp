@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "image_context.h"
 #include "weights.h"
@@ -75,6 +76,7 @@ void findMeetings(const ImageContext& c, EndMap* map) {
   const int ends = 2 * int(c.features.segments.size());
   // Two ends of one corner are at most a limit each from it.
   const double reach = 2.0 * std::max(3.0, c.options.corner_gap);
+  std::vector<std::tuple<double, int, int>> going_on;  // gap, ends
   std::vector<int> near;
   for (int a = 0; a < ends; ++a) {
     c.grid.endsNear(endPoint(c.features, a), reach, &near);
@@ -84,10 +86,17 @@ void findMeetings(const ImageContext& c, EndMap* map) {
       if (meet(c, a, b, &corner)) {
         map->corners.push_back(corner);
       } else if (continues(c, a, b)) {
-        map->continued_by[a].push_back(b);
-        map->continued_by[b].push_back(a);
+        going_on.push_back({(endPoint(c.features, a) - endPoint(c.features, b)).norm(), a, b});
       }
     }
+  }
+  // The nearest count: a bundle of lines through one point would otherwise pair each with each.
+  std::sort(going_on.begin(), going_on.end());
+  const size_t most = size_t(c.options.max_corners_per_end);
+  for (const auto& [gap, a, b] : going_on) {
+    if (map->continued_by[a].size() >= most || map->continued_by[b].size() >= most) continue;
+    map->continued_by[a].push_back(b);
+    map->continued_by[b].push_back(a);
   }
 }
 

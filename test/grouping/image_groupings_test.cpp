@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <set>
 
 #include "hand_made.h"
@@ -291,12 +291,11 @@ TEST(GroupFeatures, IsTheSameEveryTime) {
 TEST(GroupFeatures, DoesNotExplodeInClutter) {
   const FeatureSet f = randomSegments(2000, 9);
   const ModelBase base = oneBox();
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // of this process: other work on the machine does not count
   const auto all = groupFeatures(f, base);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
   RecordProperty("milliseconds", int(1000 * seconds));
-  std::cout << "2000 segments: " << 1000 * seconds << " ms, " << all.size() << " groupings\n";
-  EXPECT_LT(seconds, 2.0);
+  EXPECT_LT(seconds, 1.0);  // the bound leaves room for slow machines
   for (int kind = 1; kind < kGroupingKinds; ++kind) EXPECT_LE(ofKind(all, GroupingKind(kind)).size(), 4000u);
   // A star of a thousand ends in one place: the worst case for pairs of ends.
   FeatureSet star = empty();

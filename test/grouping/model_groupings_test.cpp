@@ -151,6 +151,18 @@ bool explained(const Grouping& image, const ModelGrouping& model, const Camera& 
   return false;
 }
 
+/// Do the model edges behind an image grouping meet where its segments do?
+bool connected(const ObjectModel& m, const Grouping& g, const std::vector<int>& edges) {
+  const auto meet = [&](int i, int j) {
+    const auto &a = m.edges[edges[g.segments[i]]].vertex, &b = m.edges[edges[g.segments[j]]].vertex;
+    return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
+  };
+  const int count = int(g.segments.size());
+  for (int i = 0; i + 1 < count; ++i)
+    if (!meet(i, i + 1)) return false;
+  return g.kind != GroupingKind::kQuad || meet(0, count - 1);
+}
+
 // Every grouping found in images of a box is the image of some model grouping in one of the admissible
 // orders: neither the symmetries, nor the turning sense, nor the U / Z rule leave a true one out.
 TEST(Correspondences, HoldEveryTrueOrder) {
@@ -173,17 +185,7 @@ TEST(Correspondences, HoldEveryTrueOrder) {
           bool cut_off = false;
           for (double sigma : g.sigma) cut_off |= sigma >= kCutOffSigma;
           if (cut_off || g.shape == GroupingShape::kOpen) continue;
-          std::set<int> own;
-          for (int s : g.segments) own.insert(edges[s]);
-          const bool meets = std::all_of(own.begin(), own.end(), [&](int e) {
-            return g.kind == GroupingKind::kEdge || std::any_of(own.begin(), own.end(), [&](int o) {
-                     return o != e && (m.edges[e].vertex[0] == m.edges[o].vertex[0] ||
-                                       m.edges[e].vertex[0] == m.edges[o].vertex[1] ||
-                                       m.edges[e].vertex[1] == m.edges[o].vertex[0] ||
-                                       m.edges[e].vertex[1] == m.edges[o].vertex[1]);
-                   });
-          });
-          if (!meets) continue;
+          if (!connected(m, g, edges)) continue;
           ++checked[int(g.kind)];
           const bool any = std::any_of(groupings.begin(), groupings.end(), [&](const ModelGrouping& model) {
             return explained(g, model, f.camera, pose, m.symmetries.discrete, 4.0);
