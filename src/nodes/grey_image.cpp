@@ -4,7 +4,9 @@
 #include <boost/make_shared.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
 namespace monocular_eye_hand {
@@ -41,6 +43,22 @@ cv::Mat eightBits(const cv::Mat& grey16) {
   return grey;
 }
 
+bool hostIsBigEndian() {
+  const uint16_t one = 1;
+  uint8_t first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 0;
+}
+
+// cv_bridge mistakes swapped 16-bit pixels for two channels: it is given the host's order of bytes.
+sensor_msgs::ImageConstPtr inHostOrder(const sensor_msgs::ImageConstPtr& message) {
+  if (bool(message->is_bigendian) == hostIsBigEndian()) return message;
+  auto swapped = boost::make_shared<sensor_msgs::Image>(*message);
+  for (size_t i = 0; i + 1 < swapped->data.size(); i += 2) std::swap(swapped->data[i], swapped->data[i + 1]);
+  swapped->is_bigendian = hostIsBigEndian();
+  return swapped;
+}
+
 cv_bridge::CvImageConstPtr convert(const sensor_msgs::ImageConstPtr& message) {
   if (message->encoding == enc::MONO8) return cv_bridge::toCvShare(message);
   if (message->encoding == enc::TYPE_8UC1) {
@@ -49,7 +67,7 @@ cv_bridge::CvImageConstPtr convert(const sensor_msgs::ImageConstPtr& message) {
     return cv_bridge::CvImageConstPtr(grey, [shared](const cv_bridge::CvImage* image) { delete image; });
   }
   if (enc::bitDepth(message->encoding) == 16) {
-    const auto grey16 = cv_bridge::toCvShare(message, enc::MONO16);
+    const auto grey16 = cv_bridge::toCvShare(inHostOrder(message), enc::MONO16);
     return boost::make_shared<cv_bridge::CvImage>(message->header, enc::MONO8, eightBits(grey16->image));
   }
   return cv_bridge::toCvShare(message, enc::MONO8);
