@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/model/contour.h"
+#include "monocular_eye_hand/recognition/pose_covariance.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -98,9 +99,11 @@ RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const Re
   RefinedPose best;
   best.camera_from_object = start;
   std::vector<LineMatch> matches;
+  std::vector<int> groups;
   for (size_t round = 0; round < ranges.size(); ++round) {
     const double range = ranges[round];
     matches.clear();
+    groups.clear();
     for (const SeenSample& s : projectContour(model.model(), best.camera_from_object, camera, domain, step)) {
       if (!s.inside) continue;
       const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
@@ -109,6 +112,7 @@ RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const Re
       const EdgePoint& point = raster.point(found);
       matches.push_back({s.p_in_object, point.uv.cast<double>(), normal,
                          std::max({kMinSigma, double(point.sigma), range / 3})});
+      groups.push_back(s.group);
     }
     if (matches.size() < kMinMatches) return best;
     RefineOptions options;
@@ -117,6 +121,8 @@ RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const Re
     if (!plausibleStep(refined)) return best;
     best = refined;
   }
+  if (best.well_posed)
+    best.covariance = contourCovariance(best.camera_from_object, camera, matches, groups, axis);
   return best;
 }
 
