@@ -89,7 +89,7 @@ std::vector<Grouping> parallelGroupings(const ImageContext& c, const std::vector
   for (const Pair& pair : bestOfBoth(std::move(pairs), count, count, c.options.max_pairs_per_feature)) {
     Grouping g;
     g.kind = GroupingKind::kParallelPair;
-    g.segments = {pair.a, pair.b};
+    g.segments = std::vector<int>{pair.a, pair.b};
     const Grouping &ea = edges[pair.a], &eb = edges[pair.b];
     const int first = segments[pair.a].direction().dot(segments[pair.b].direction()) > 0 ? 0 : 1;
     g.points = {ea.points[0], ea.points[1], eb.points[first], eb.points[1 - first]};
@@ -105,7 +105,7 @@ std::vector<Grouping> ellipseGroupings(const ImageContext& c) {
   for (int e = 0; e < int(c.features.ellipses.size()); ++e) {
     Grouping g;
     g.kind = GroupingKind::kEllipse;
-    g.ellipses = {e};
+    g.ellipses = std::vector<int>{e};
     g.weight = ellipseWeight(c.features.ellipses[e]);
     result.push_back(std::move(g));
   }
@@ -147,7 +147,7 @@ std::vector<Grouping> ellipsePairGroupings(const ImageContext& c) {
   for (const Pair& pair : bestOfBoth(std::move(pairs), count, count, c.options.max_pairs_per_feature)) {
     Grouping g;
     g.kind = GroupingKind::kEllipsePair;
-    g.ellipses = {pair.a, pair.b};
+    g.ellipses = std::vector<int>{pair.a, pair.b};
     g.weight = clampWeight(pair.fit);
     result.push_back(std::move(g));
   }
@@ -175,8 +175,8 @@ std::vector<Grouping> ellipseLineGroupings(const ImageContext& c, const std::vec
        bestOfBoth(std::move(pairs), ellipse_count, segment_count, c.options.max_pairs_per_feature)) {
     Grouping g;
     g.kind = GroupingKind::kEllipseLine;
-    g.ellipses = {pair.a};
-    g.segments = {pair.b};
+    g.ellipses = std::vector<int>{pair.a};
+    g.segments = std::vector<int>{pair.b};
     g.points = edges[pair.b].points;
     g.sigma = edges[pair.b].sigma;
     g.weight = clampWeight(kSideBySide * pair.fit);
