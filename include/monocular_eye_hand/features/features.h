@@ -13,11 +13,11 @@ namespace monocular_eye_hand {
 
 /// One sub-pixel edge point.
 struct EdgePoint {
-  Eigen::Vector2f uv;
-  Eigen::Vector2f normal;  ///< unit, from dark to bright
-  float gradient = 0;      ///< magnitude [grey levels per raw pixel]
-  float sigma = 0;         ///< standard deviation along the normal [px]
-  float blur = 0;          ///< standard deviation of the edge's profile, detector's smoothing included [px]
+  Eigen::Vector2f uv = Eigen::Vector2f::Zero();
+  Eigen::Vector2f normal = Eigen::Vector2f::UnitX();  ///< unit, from dark to bright
+  float gradient = 0;                                 ///< magnitude [grey levels per raw pixel]
+  float sigma = 0;                                    ///< standard deviation along the normal [px]
+  float blur = 0;  ///< standard deviation of the edge's profile, detector's smoothing included [px]
 };
 
 /// A run of neighbouring edge points: points[first .. first + count).
