@@ -52,9 +52,10 @@ void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const Evidence
   }
 }
 
-std::vector<Hypothesis> HypothesisPool::best(int count) const {
+std::vector<Hypothesis> HypothesisPool::take(int count) {
   std::vector<Hypothesis> all;
   for (const auto& cell : cells_) all.insert(all.end(), cell.begin(), cell.end());
+  const auto better = [](const Hypothesis& a, const Hypothesis& b) { return a.evidence > b.evidence; };
   std::sort(all.begin(), all.end(), [](const Hypothesis& a, const Hypothesis& b) {
     if (a.evidence != b.evidence) return a.evidence > b.evidence;
     if (a.view != b.view) return a.view < b.view;
@@ -67,8 +68,10 @@ std::vector<Hypothesis> HypothesisPool::best(int count) const {
   std::map<std::tuple<int, int, int, int, int>, int> seen;
   std::vector<Hypothesis> kept;
   const int directions = model_.object().views.directions;
+  float least = 0;  // evidence of the last one looked at: everything above it leaves the pool
   for (const Hypothesis& h : all) {
     if (int(kept.size()) >= count) break;
+    least = h.evidence;
     const Eigen::Vector3d centre = h.camera_from_object * model_.model().centre();
     const Eigen::Vector2d uv = camera_.project(centre);
     const Eigen::Matrix3d in_view = h.camera_from_object.rotation * model_.viewRotation(h.view).transpose();
@@ -78,6 +81,12 @@ std::vector<Hypothesis> HypothesisPool::best(int count) const {
                         int(std::floor(std::log(centre.norm()) / 0.08)), int(std::floor(roll / 0.15)));
     if (seen[key]++) continue;
     kept.push_back(h);
+  }
+  for (auto& cell : cells_) {
+    cell.erase(
+        std::remove_if(cell.begin(), cell.end(), [&](const Hypothesis& h) { return h.evidence >= least; }),
+        cell.end());
+    std::make_heap(cell.begin(), cell.end(), better);
   }
   return kept;
 }

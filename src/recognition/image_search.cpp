@@ -129,7 +129,7 @@ void ImageSearch::judgeHypotheses(int object, int count) {
   const SearchModel& model = models_[object];
   std::vector<Aligned> aligned;
   timed("coarse alignment", [&](StageReport* report) {
-    const std::vector<Hypothesis> hypotheses = pools_[object].best(count);
+    const std::vector<Hypothesis> hypotheses = pools_[object].take(count);
     for (Hypothesis h : hypotheses) {
       if (!alignCoarsely(model, camera_, *raster_, &h.camera_from_object, &h.view)) continue;
       const CoarseScore score = scorePose(model, h.view, h.camera_from_object, camera_, *map_);

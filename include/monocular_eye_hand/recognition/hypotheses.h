@@ -40,8 +40,9 @@ class HypothesisPool {
   /// Scores a pose and keeps it when it is admissible (distance, size, share in the frame) and good for its
   /// place.
   void offer(const Rigid3& camera_from_object, GroupingKind kind, const EvidenceMap& map, WorkBudget* budget);
-  /// The kept hypotheses without near-duplicates, best first.
-  std::vector<Hypothesis> best(int count) const;
+  /// Takes out the best hypotheses, best first, near-duplicates dropped. What was not taken stays for the
+  /// next round.
+  std::vector<Hypothesis> take(int count);
 
  private:
   const Camera& camera_;
