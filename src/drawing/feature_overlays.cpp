@@ -38,7 +38,7 @@ void drawArcs(Canvas* canvas, const FeatureSet& features) {
 void drawEllipses(Canvas* canvas, const FeatureSet& features) {
   for (size_t k = 0; k < features.ellipses.size(); ++k) {
     const DetectedEllipse& ellipse = features.ellipses[k];
-    const Colour colour = paletteColour(int(k));
+    const Colour colour = paletteColour(int(k) + 1);  // the palette's first is the arcs' orange
     canvas->ellipse(ellipse.ellipse, colour, 1);
     canvas->dot(ellipse.ellipse.centre, 2.5, colour);
     for (int arc : ellipse.arcs)

@@ -20,7 +20,7 @@ bool linksLines(GroupingKind kind) {
 }
 
 // Which connected group each segment belongs to.
-std::vector<int> connectedGroups(size_t segments, const std::vector<Grouping>& groupings) {
+std::vector<int> connectedGroups(size_t segments, const std::vector<Grouping>& groupings, double min_weight) {
   std::vector<int> parent(segments);
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int k) {
@@ -28,7 +28,7 @@ std::vector<int> connectedGroups(size_t segments, const std::vector<Grouping>& g
     return k;
   };
   for (const Grouping& grouping : groupings) {
-    if (!linksLines(grouping.kind)) continue;
+    if (!linksLines(grouping.kind) || grouping.weight < min_weight) continue;
     for (int segment : grouping.segments)
       if (inside(segment, parent) && inside(grouping.segments[0], parent))
         parent[root(segment)] = root(grouping.segments[0]);
@@ -68,15 +68,15 @@ std::vector<GroupingPicture> groupingPictures(const cv::Mat& grey, const Feature
 }
 
 cv::Mat lineGroupsPicture(const cv::Mat& grey, const FeatureSet& features,
-                          const std::vector<Grouping>& groupings) {
+                          const std::vector<Grouping>& groupings, double min_weight) {
   Canvas canvas(grey, features.camera, kDim);
-  const std::vector<int> group = connectedGroups(features.segments.size(), groupings);
+  const std::vector<int> group = connectedGroups(features.segments.size(), groupings, min_weight);
   std::map<int, int> size, colour;
   for (int g : group) size[g]++;
   for (size_t k = 0; k < group.size(); ++k) {
     const LineSegment& segment = features.segments[k];
     if (size[group[k]] == 1) {
-      canvas.line(segment.p, segment.q, {140, 140, 140}, 1);
+      canvas.line(segment.p, segment.q, {115, 115, 115}, 1);
       continue;
     }
     const auto found = colour.emplace(group[k], int(colour.size())).first;

@@ -31,22 +31,22 @@ void drawAxes(Canvas* canvas, const Rigid3& camera_from_object, double length, i
   }
 }
 
-}  // namespace
-
-void drawObject(Canvas* canvas, const ObjectModel& model, const Rigid3& camera_from_object,
-                const ObjectStyle& style) {
+std::vector<ContourSample> drawnContour(const Canvas& canvas, const ObjectModel& model,
+                                        const Rigid3& camera_from_object, double* step) {
   if (!camera_from_object.isFinite())
     throw BadInput("drawing: the pose of '" + model.name + "' is not finite");
-  const Eigen::Vector3d eye = camera_from_object.inverse().translation;
   // About two picture pixels between samples: short enough for the smallest circle to look round.
   const double depth = std::max((camera_from_object * model.centre()).z(), 0.05);
   ContourOptions options;
-  options.step = std::clamp(2.0 * depth / (canvas->camera().fx * canvas->scale()), model.diameter / 2000,
+  options.step = std::clamp(2.0 * depth / (canvas.camera().fx * canvas.scale()), model.diameter / 2000,
                             model.diameter / 60);
-  const std::vector<ContourSample> contour = visibleContour(model, eye, options);
-  strokes(canvas, contour, camera_from_object, 1.2 * options.step, {0, 0, 0}, style.width + 2);
-  strokes(canvas, contour, camera_from_object, 1.2 * options.step, style.colour, style.width);
-  if (style.axes) drawAxes(canvas, camera_from_object, model.diameter / 3, std::max(2, style.width));
+  *step = options.step;
+  return visibleContour(model, camera_from_object.inverse().translation, options);
+}
+
+// Above the contour's highest point.
+void writeLabel(Canvas* canvas, const std::vector<ContourSample>& contour, const Rigid3& camera_from_object,
+                const ObjectStyle& style) {
   if (style.label.empty()) return;
   Eigen::Vector2d top(1e9, 1e9);
   for (const ContourSample& sample : contour) {
@@ -56,6 +56,24 @@ void drawObject(Canvas* canvas, const ObjectModel& model, const Rigid3& camera_f
     if (uv.y() < top.y()) top = uv;
   }
   if (top.x() < 1e8) canvas->label(top - Eigen::Vector2d(0, 4), style.label, style.colour);
+}
+
+}  // namespace
+
+void drawObject(Canvas* canvas, const ObjectModel& model, const Rigid3& camera_from_object,
+                const ObjectStyle& style) {
+  double step = 0;
+  const std::vector<ContourSample> contour = drawnContour(*canvas, model, camera_from_object, &step);
+  strokes(canvas, contour, camera_from_object, 1.2 * step, {0, 0, 0}, style.width + 2);
+  strokes(canvas, contour, camera_from_object, 1.2 * step, style.colour, style.width);
+  if (style.axes) drawAxes(canvas, camera_from_object, model.diameter / 3, std::max(2, style.width));
+  writeLabel(canvas, contour, camera_from_object, style);
+}
+
+void drawObjectLabel(Canvas* canvas, const ObjectModel& model, const Rigid3& camera_from_object,
+                     const ObjectStyle& style) {
+  double step = 0;
+  writeLabel(canvas, drawnContour(*canvas, model, camera_from_object, &step), camera_from_object, style);
 }
 
 }  // namespace monocular_eye_hand

@@ -1,6 +1,8 @@
 #include "monocular_eye_hand/report/explanation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -12,8 +14,41 @@
 namespace monocular_eye_hand {
 namespace {
 
+// "1,234,567".
+std::string grouped(double number) {
+  std::string digits = std::to_string((long long)std::llround(std::abs(number)));
+  for (int k = int(digits.size()) - 3; k > 0; k -= 3) digits.insert(size_t(k), ",");
+  return (number < 0 ? "-" : "") + digits;
+}
+
 std::string count(size_t number, const std::string& one, const std::string& many) {
-  return std::to_string(number) + " " + (number == 1 ? one : many);
+  return grouped(double(number)) + " " + (number == 1 ? one : many);
+}
+
+// Stages that run once per object are one row.
+std::vector<StageReport> stagesByName(const std::vector<StageReport>& stages) {
+  std::vector<StageReport> merged;
+  for (const StageReport& stage : stages) {
+    const auto same = std::find_if(merged.begin(), merged.end(),
+                                   [&](const StageReport& other) { return other.name == stage.name; });
+    if (same == merged.end()) {
+      merged.push_back(stage);
+      continue;
+    }
+    same->seconds += stage.seconds;
+    for (const auto& [name, value] : stage.counts) same->counts[name] += value;
+  }
+  return merged;
+}
+
+std::string stageTime(double seconds) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.1f ms", 1000 * seconds);
+  return text;
+}
+
+std::string sizeText(const cv::Mat& image) {
+  return std::to_string(image.cols) + " x " + std::to_string(image.rows);
 }
 
 std::string decisionText(Decision decision) {
@@ -42,10 +77,12 @@ std::string accuracyText(const RecognizedObject& object) {
 
 class PageWriter {
  public:
-  PageWriter(const std::string& folder, const cv::Mat& grey, const ModelBase& models,
+  PageWriter(const std::string& folder, const cv::Mat& grey, const Camera& camera, const ModelBase& models,
              const RecognitionResult& result, const ExplanationOptions& options)
       : folder_(folder),
         grey_(grey),
+        camera_(camera),
+        search_grey_(searchImage(grey, result.features.camera)),
         models_(models),
         result_(result),
         options_(options),
@@ -75,13 +112,12 @@ class PageWriter {
 
   void outcome() {
     page_.heading("Result", "result");
-    const Camera& camera = result_.features.camera;
     if (result_.objects.empty())
       page_.paragraph("Nothing found. " + result_.reason);
     else
       page_.paragraph(count(result_.objects.size(), "object", "objects") + " found.");
     if (result_.truncated) page_.paragraph("The time limit ended the search before everything was tried.");
-    figure("result.png", drawResult(grey_, camera, models_, result_),
+    figure("result.png", drawResult(grey_, camera_, models_, result_),
            "Accepted green, ambiguous amber; axes x red, y green, z blue", true);
     if (result_.objects.empty()) return;
     std::vector<HtmlPage::Row> rows;
@@ -100,31 +136,34 @@ class PageWriter {
     page_.heading("Stages", "stages");
     std::vector<HtmlPage::Row> rows;
     double total = 0;
-    for (const StageReport& stage : result_.stages) {
+    for (const StageReport& stage : stagesByName(result_.stages)) {
       std::string counts;
       for (const auto& [name, value] : stage.counts)
-        counts += (counts.empty() ? "" : ", ") + shortNumber(value) + " " + name;
-      rows.push_back({stage.name, shortNumber(1000 * stage.seconds) + " ms", counts});
+        counts += (counts.empty() ? "" : ", ") + grouped(value) + " " + name;
+      rows.push_back({stage.name, stageTime(stage.seconds), counts});
       total += stage.seconds;
     }
-    rows.push_back({"all", shortNumber(1000 * total) + " ms", ""});
+    rows.push_back({"all", stageTime(total), ""});
     page_.table({"stage", "time", "counts"}, rows);
   }
 
   void features() {
     const FeatureSet& f = result_.features;
     page_.heading("Features", "features");
+    if (search_grey_.cols != grey_.cols)
+      page_.paragraph("The image of " + sizeText(grey_) + " px was searched at " + sizeText(search_grey_) +
+                      " px: features and groupings are of that size, the poses were refined in full.");
     page_.beginGrid();
-    figure("image.png", Canvas(grey_, f.camera).picture(), "The image as taken");
-    figure("traces.png", tracesPicture(grey_, f),
+    figure("image.png", Canvas(grey_, camera_).picture(), "The image as taken");
+    figure("traces.png", tracesPicture(search_grey_, f),
            count(f.traces.size(), "edge trace", "edge traces") + ", " +
                count(f.points.size(), "point", "points"));
     size_t joined = 0;
     for (const LineSegment& segment : f.segments) joined += segment.pieces.empty() ? 0 : 1;
-    figure("segments.png", segmentsPicture(grey_, f),
+    figure("segments.png", segmentsPicture(search_grey_, f),
            count(f.segments.size() - joined, "straight segment", "straight segments") + " (yellow), " +
                std::to_string(joined) + " joined across gaps (blue)");
-    figure("ellipses.png", ellipsesPicture(grey_, f),
+    figure("ellipses.png", ellipsesPicture(search_grey_, f),
            count(f.arcs.size(), "elliptic arc", "elliptic arcs") + " (orange), " +
                count(f.ellipses.size(), "ellipse", "ellipses") + " fitted to them");
     page_.endGrid();
@@ -136,10 +175,10 @@ class PageWriter {
                     " of features that likely belong to one part of one object. The pictures show the "
                     "heaviest of each kind.");
     page_.beginGrid();
-    figure("line_groups.png", lineGroupsPicture(grey_, result_.features, result_.groupings),
+    figure("line_groups.png", lineGroupsPicture(search_grey_, result_.features, result_.groupings),
            "Lines that corners connect, one colour per group");
     int index = 0;
-    for (const GroupingPicture& shown : groupingPictures(grey_, result_.features, result_.groupings))
+    for (const GroupingPicture& shown : groupingPictures(search_grey_, result_.features, result_.groupings))
       figure("groupings_" + std::to_string(index++) + ".png", shown.picture,
              std::string(name(shown.kind)) + ": " + std::to_string(shown.shown) + " of " +
                  std::to_string(shown.total));
@@ -147,7 +186,7 @@ class PageWriter {
   }
 
   void candidate(const RecognizedObject& object, const std::string& file) {
-    picture(file, drawCandidate(grey_, result_.features.camera, models_, object));
+    picture(file, drawCandidate(grey_, camera_, models_, object));
     HtmlPage::Card card;
     card.picture = file;
     card.title = objectLabel(object);
@@ -188,6 +227,8 @@ class PageWriter {
 
   std::filesystem::path folder_;
   const cv::Mat& grey_;
+  const Camera& camera_;
+  const cv::Mat search_grey_;
   const ModelBase& models_;
   const RecognitionResult& result_;
   const ExplanationOptions& options_;
@@ -201,13 +242,14 @@ void ExplanationOptions::check() const {
     throw BadInput("explanation options: rejected = " + std::to_string(rejected) + " must be 0..1000");
 }
 
-std::string writeExplanation(const std::string& folder, const cv::Mat& grey, const ModelBase& models,
-                             const RecognitionResult& result, const ExplanationOptions& options) {
+std::string writeExplanation(const std::string& folder, const cv::Mat& grey, const Camera& camera,
+                             const ModelBase& models, const RecognitionResult& result,
+                             const ExplanationOptions& options) {
   options.check();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw BadInput(folder + ": cannot be created (" + error.message() + ")");
-  return PageWriter(folder, grey, models, result, options).write();
+  return PageWriter(folder, grey, camera, models, result, options).write();
 }
 
 }  // namespace monocular_eye_hand

@@ -1,5 +1,6 @@
 #include "monocular_eye_hand/report/result_drawing.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -15,12 +16,22 @@ const ObjectModel& modelOf(const ModelBase& models, const RecognizedObject& obje
   return models.objects[object.object].model;
 }
 
-void drawOne(Canvas* canvas, const ModelBase& models, const RecognizedObject& object) {
+ObjectStyle styleOf(const RecognizedObject& object) {
   ObjectStyle style;
   style.colour = decisionColour(object.decision);
   style.axes = object.decision != Decision::kRejected;
   style.label = objectLabel(object);
+  return style;
+}
+
+void drawLines(Canvas* canvas, const ModelBase& models, const RecognizedObject& object) {
+  ObjectStyle style = styleOf(object);
+  style.label.clear();
   drawObject(canvas, modelOf(models, object), object.camera_from_object, style);
+}
+
+void drawLabel(Canvas* canvas, const ModelBase& models, const RecognizedObject& object) {
+  drawObjectLabel(canvas, modelOf(models, object), object.camera_from_object, styleOf(object));
 }
 
 }  // namespace
@@ -46,10 +57,13 @@ std::string objectLabel(const RecognizedObject& object) {
 cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
                    const RecognitionResult& result, bool with_rejected) {
   Canvas canvas(grey, camera, 0.85);
-  // Best last: on top.
+  std::vector<const RecognizedObject*> shown;  // best last: on top
   if (with_rejected)
-    for (size_t k = result.rejected.size(); k-- > 0;) drawOne(&canvas, models, result.rejected[k]);
-  for (size_t k = result.objects.size(); k-- > 0;) drawOne(&canvas, models, result.objects[k]);
+    for (const RecognizedObject& object : result.rejected) shown.push_back(&object);
+  std::reverse(shown.begin(), shown.end());
+  for (size_t k = result.objects.size(); k-- > 0;) shown.push_back(&result.objects[k]);
+  for (const RecognizedObject* object : shown) drawLines(&canvas, models, *object);
+  for (const RecognizedObject* object : shown) drawLabel(&canvas, models, *object);
   if (result.objects.empty()) canvas.caption(result.reason.empty() ? "nothing found" : result.reason);
   return canvas.picture();
 }
@@ -57,7 +71,7 @@ cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& m
 cv::Mat drawCandidate(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
                       const RecognizedObject& candidate) {
   Canvas canvas(grey, camera, 0.8);
-  drawOne(&canvas, models, candidate);
+  drawObject(&canvas, modelOf(models, candidate), candidate.camera_from_object, styleOf(candidate));
   return canvas.picture();
 }
 

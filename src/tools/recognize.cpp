@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string objects, camera, only, json, overlay, explain, options;
+  std::string objects, camera, only, json, overlay, explain, figures, options;
   std::vector<std::string> settings, images;
   double budget = -1;
   int work = -1;
@@ -93,8 +93,11 @@ ImageReport process(const Arguments& args, const Recognizer& recognizer, const C
   if (!args.explain.empty()) {
     ExplanationOptions page;
     page.title = fs::path(path).filename().string();
-    writeExplanation(names.folder(args.explain, number), grey, recognizer.models(), report.result, page);
+    writeExplanation(names.folder(args.explain, number), grey, camera, recognizer.models(), report.result,
+                     page);
   }
+  if (!args.figures.empty())
+    writeFigures(names.folder(args.figures, number), grey, camera, recognizer.models(), report.result);
   return report;
 }
 
@@ -174,6 +177,9 @@ int main(int argc, char** argv) {
                  "picture of the result; F_<image>.png for each of several images");
   app.add_option("--explain", args.explain,
                  "folder for a page with a picture per stage; DIR/<image> for several");
+  app.add_option("--figures", args.figures,
+                 "folder for the scene, line groups, ellipses and a back-projection per object as pictures; "
+                 "DIR/<image> for several");
   app.add_option("--options", args.options, "YAML of recognition options, or config/recognizer.yaml");
   app.add_option("--set", args.settings, "one option, KEY=VALUE or GROUP.KEY=VALUE; may be repeated")
       ->expected(1)

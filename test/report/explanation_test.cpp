@@ -83,7 +83,7 @@ class Explain : public testing::Test {
 }  // namespace
 
 TEST_F(Explain, PageShowsEveryStageAndEveryPictureExists) {
-  const std::string page = writeExplanation(folder_, greyImage(), boxBase("box"), someResult());
+  const std::string page = writeExplanation(folder_, greyImage(), camera(), boxBase("box"), someResult());
   const std::string html = readFile(page);
   std::set<std::string> pictures;
   const std::regex source("(?:src|href)=\"([^\"#]+)\"");
@@ -106,7 +106,8 @@ TEST_F(Explain, PageShowsEveryStageAndEveryPictureExists) {
 }
 
 TEST_F(Explain, TextIsEscaped) {
-  const std::string html = readFile(writeExplanation(folder_, greyImage(), boxBase("box"), someResult()));
+  const std::string html =
+      readFile(writeExplanation(folder_, greyImage(), camera(), boxBase("box"), someResult()));
   EXPECT_THAT(html, Not(HasSubstr("<script")));
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(1)&lt;/script&gt;"));
   EXPECT_THAT(html, HasSubstr("false &lt;alarm&gt;"));
@@ -121,7 +122,7 @@ TEST_F(Explain, NothingFoundSaysWhy) {
   result.features.camera = camera();
   result.reason = "no segment is longer than 8 px";
   result.truncated = true;
-  const std::string html = readFile(writeExplanation(folder_, greyImage(), boxBase("box"), result));
+  const std::string html = readFile(writeExplanation(folder_, greyImage(), camera(), boxBase("box"), result));
   EXPECT_THAT(html, HasSubstr("Nothing found. no segment is longer than 8 px"));
   EXPECT_THAT(html, HasSubstr("time limit"));
 }
@@ -131,13 +132,60 @@ TEST_F(Explain, LimitsRejectedAndRefusesBadInput) {
   for (int k = 0; k < 5; ++k) result.rejected.push_back(candidate(0.01 * k, Decision::kRejected, "weak"));
   ExplanationOptions options;
   options.rejected = 2;
-  writeExplanation(folder_, greyImage(), boxBase("box"), result, options);
+  writeExplanation(folder_, greyImage(), camera(), boxBase("box"), result, options);
   EXPECT_TRUE(fs::exists(fs::path(folder_) / "rejected_1.png"));
   EXPECT_FALSE(fs::exists(fs::path(folder_) / "rejected_2.png"));
   options.rejected = -1;
-  EXPECT_THROW(writeExplanation(folder_, greyImage(), boxBase("box"), result, options), BadInput);
-  EXPECT_THROW(writeExplanation("/proc/not_writable", greyImage(), boxBase("box"), result), BadInput);
-  EXPECT_THROW(writeExplanation(folder_, cv::Mat(100, 100, CV_8UC1), boxBase("box"), result), BadInput);
+  EXPECT_THROW(writeExplanation(folder_, greyImage(), camera(), boxBase("box"), result, options), BadInput);
+  EXPECT_THROW(writeExplanation("/proc/not_writable", greyImage(), camera(), boxBase("box"), result),
+               BadInput);
+  EXPECT_THROW(writeExplanation(folder_, cv::Mat(100, 100, CV_8UC1), camera(), boxBase("box"), result),
+               BadInput);
+}
+
+TEST_F(Explain, FeaturesAtTheSizeThatWasSearchedObjectsInFull) {
+  const Camera full = camera().resized(2);
+  cv::Mat image(full.height, full.width, CV_8UC1, cv::Scalar(90));
+  const RecognitionResult result = someResult();  // features of 640 x 480
+  const std::string html = readFile(writeExplanation(folder_, image, full, boxBase("box"), result));
+  EXPECT_THAT(html, HasSubstr("1280 x 960 px was searched at 640 x 480 px"));
+  // The segment from (100, 100) to (300, 200) lies in the picture where it lies in the image: at twice that.
+  const cv::Mat segments = cv::imread((fs::path(folder_) / "segments.png").string());
+  ASSERT_EQ(segments.size(), cv::Size(1280, 960));
+  const cv::Vec3b middle = segments.at<cv::Vec3b>(301, 401), beside = segments.at<cv::Vec3b>(330, 401);
+  EXPECT_GT(middle[2], 200) << "yellow";
+  EXPECT_LT(beside[2], 120);
+  // The same pose, drawn by the camera of the full image.
+  const cv::Mat shown = cv::imread((fs::path(folder_) / "object_0.png").string());
+  EXPECT_EQ(cv::norm(shown, drawCandidate(image, full, boxBase("box"), result.objects[0]), cv::NORM_INF), 0);
+}
+
+TEST_F(Explain, StagesOfOneNameAreOneRow) {
+  RecognitionResult result = someResult();
+  result.stages.push_back({"verification", 0.5, {{"verified", 1000}}});
+  result.stages.push_back({"verification", 0.25, {{"verified", 234}}});
+  const std::string html = readFile(writeExplanation(folder_, greyImage(), camera(), boxBase("box"), result));
+  EXPECT_THAT(html, HasSubstr("<td>verification</td><td>750.0 ms</td><td>1,234 verified</td>"));
+}
+
+TEST_F(Explain, FiguresOfThePaper) {
+  RecognitionResult result = someResult();
+  result.objects[1].name = "a/b c";
+  const auto names = [&] {
+    std::vector<std::string> found;
+    for (const std::string& path : writeFigures(folder_, greyImage(), camera(), boxBase("box"), result)) {
+      EXPECT_FALSE(cv::imread(path).empty()) << path;
+      found.push_back(fs::path(path).filename().string());
+    }
+    return found;
+  };
+  EXPECT_THAT(names(),
+              testing::ElementsAre("figure_09_scene.png", "figure_10a_line_groups.png",
+                                   "figure_10b_ellipses.png", "figure_11a_box.png", "figure_11b_a_b_c.png"));
+  result.objects.clear();  // nothing of the earlier call is left
+  EXPECT_EQ(names().size(), 3u);
+  EXPECT_FALSE(fs::exists(fs::path(folder_) / "figure_11a_box.png"));
+  EXPECT_THROW(writeFigures("/proc/not_writable", greyImage(), camera(), boxBase("box"), result), BadInput);
 }
 
 TEST(ResultDrawing, ColoursByDecisionAndOnePicturePerObject) {

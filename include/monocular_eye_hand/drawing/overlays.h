@@ -41,9 +41,10 @@ struct GroupingPicture {
 /// One picture per kind that occurs, at most `most` groupings in each, best by weight.
 std::vector<GroupingPicture> groupingPictures(const cv::Mat& grey, const FeatureSet& features,
                                               const std::vector<Grouping>& groupings, int most = 150);
-/// The seed's figure 10 (a): the fitted lines, coloured by the connected group that junctions make of them.
+/// The seed's figure 10 (a): the fitted lines, coloured by the connected group that corners make of them;
+/// grey where none does. Only groupings of at least `min_weight` connect: chance meetings in texture do not.
 cv::Mat lineGroupsPicture(const cv::Mat& grey, const FeatureSet& features,
-                          const std::vector<Grouping>& groupings);
+                          const std::vector<Grouping>& groupings, double min_weight = 0.5);
 
 /// How a back-projected model is drawn.
 struct ObjectStyle {
@@ -55,5 +56,8 @@ struct ObjectStyle {
 /// Back-projection of the CAD model with hidden lines removed (visibleContour).
 void drawObject(Canvas* canvas, const ObjectModel& model, const Rigid3& camera_from_object,
                 const ObjectStyle& style);
+/// Its label alone: drawn after all objects, no line runs through it.
+void drawObjectLabel(Canvas* canvas, const ObjectModel& model, const Rigid3& camera_from_object,
+                     const ObjectStyle& style);
 
 }  // namespace monocular_eye_hand
