@@ -76,7 +76,7 @@ cv::Mat lineGroupsPicture(const cv::Mat& grey, const FeatureSet& features,
   for (size_t k = 0; k < group.size(); ++k) {
     const LineSegment& segment = features.segments[k];
     if (size[group[k]] == 1) {
-      canvas.line(segment.p, segment.q, {115, 115, 115}, 1);
+      canvas.line(segment.p, segment.q, {100, 100, 100}, 1);
       continue;
     }
     const auto found = colour.emplace(group[k], int(colour.size())).first;

@@ -200,6 +200,7 @@ TEST(Overlays, OnePicturePerKindOfGrouping) {
   Grouping junction, ellipse;
   junction.kind = GroupingKind::kJunction;
   junction.segments = {0, 1};
+  junction.weight = 0.6;
   junction.points = {{395, 120}, {100, 120}, {250, 330}};
   ellipse.kind = GroupingKind::kEllipse;
   ellipse.ellipses = {0};
@@ -222,4 +223,7 @@ TEST(Overlays, OnePicturePerKindOfGrouping) {
   const cv::Mat apart = lineGroupsPicture(greyImage(), features, {});
   EXPECT_EQ(colour(together, {250, 120}), colour(together, {175, 315}));
   EXPECT_NE(colour(together, {250, 120}), colour(apart, {250, 120}));
+  // What meets by chance connects nothing.
+  const cv::Mat wary = lineGroupsPicture(greyImage(), features, groupings, 0.7);
+  EXPECT_EQ(cv::norm(wary, apart, cv::NORM_INF), 0);
 }

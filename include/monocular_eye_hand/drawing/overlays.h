@@ -44,7 +44,7 @@ std::vector<GroupingPicture> groupingPictures(const cv::Mat& grey, const Feature
 /// The seed's figure 10 (a): the fitted lines, coloured by the connected group that corners make of them;
 /// grey where none does. Only groupings of at least `min_weight` connect: chance meetings in texture do not.
 cv::Mat lineGroupsPicture(const cv::Mat& grey, const FeatureSet& features,
-                          const std::vector<Grouping>& groupings, double min_weight = 0.5);
+                          const std::vector<Grouping>& groupings, double min_weight = 0.1);
 
 /// How a back-projected model is drawn.
 struct ObjectStyle {
