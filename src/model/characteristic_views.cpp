@@ -112,8 +112,8 @@ void weigh(const Lengths& lengths, const std::vector<double>& full, const std::v
 }  // namespace
 
 void ViewOptions::check() const {
-  if (!(spacing >= 0.02 && spacing <= 1.0)) {
-    throw BadInput("ViewOptions.spacing is " + std::to_string(spacing) + "; it must be 0.02 to 1 rad");
+  if (!(spacing >= 0.05 && spacing <= 1.0)) {
+    throw BadInput("ViewOptions.spacing is " + std::to_string(spacing) + "; it must be 0.05 to 1 rad");
   }
   if (distance_ratios.empty())
     throw BadInput("ViewOptions.distance_ratios is empty; it needs at least one ratio");

@@ -120,7 +120,9 @@ class Finder {
       if (i + kLeastSegments < knots.size() && isArc(chain, knots, i, i + kLeastSegments, false)) {
         end = i + kLeastSegments;
         while (end + 1 < knots.size() && isArc(chain, knots, i, end + 1, false)) ++end;
-        addArc(chain, knots, i, end, false);
+        if (!addArc(chain, knots, i, end, false)) {
+          for (size_t k = i; k < end; ++k) addEdge(chain, knots[k], knots[k + 1]);
+        }
       } else {
         addEdge(chain, knots[i], knots[i + 1]);
       }
@@ -177,7 +179,7 @@ class Finder {
     }
     if (full && std::abs(std::abs(sweep) - 2 * kPi) > 0.01) return false;
     // An arc is tessellated about evenly: a long piece among short ones is a straight line beside an arc.
-    return std::abs(sweep) > kSmallestSweep && widest < 4 * narrowest;
+    return widest < 4 * narrowest;
   }
 
   static double turnAbout(const CircleFit& c, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -243,6 +245,7 @@ class Finder {
       sweep += angle;
       circle.segment = std::max(circle.segment, std::abs(angle));
     }
+    if (std::abs(sweep) < kSmallestSweep) return false;
     const bool counter_clockwise = sweep * c.axis.dot(circle.axis) > 0;
     const Eigen::Vector3d first = position(chain, knots[counter_clockwise ? begin : end]) - c.centre;
     circle.x_axis = (first - circle.axis * circle.axis.dot(first)).normalized();

@@ -19,6 +19,7 @@ class Splitter {
   Splitter(const Mesh& mesh, const Topology& topology, const Facets& facets, double tolerance)
       : mesh_(mesh), topology_(topology), facets_(facets), tolerance_(tolerance) {
     surface_of_facet_.assign(facets.facets.size(), -1);
+    spent_.assign(facets.facets.size(), 0);
   }
 
   SurfaceSplit split() {
@@ -46,6 +47,7 @@ class Splitter {
     for (const int seed : order) {
       if (!isFree(seed)) continue;
       for (const FacetLink& link : facet(seed).links) {
+        if (spent_[seed]) break;
         if (isFree(link.facet) && growCylinder(seed, link.facet)) break;
       }
     }
@@ -106,31 +108,40 @@ class Splitter {
       if (same) break;
       c = fit(members);
     }
-    if (!c.valid || c.residual > kFitShare * c.radius + 4 * tolerance_ || !hasCleanEnds(members, c))
+    if (!c.valid || c.residual > kFitShare * c.radius + 4 * tolerance_ || !hasCleanEnds(members, c)) {
+      for (const int f : members) spent_[f] = 1;
       return false;
+    }
     addCylinder(members, c);
     return true;
   }
 
-  /// A band of a sphere or torus also passes for a short cylinder: where the wall runs on smoothly into other
-  /// curved facets it must be longer than a few facets are wide.
+  /// A strip of a sphere or torus also passes for a short cylinder. Where the wall runs on smoothly into
+  /// other curved facets it must be longer than a few facets are wide, longer than a strip of a sphere can be
+  /// within the tolerance of the fit (0.13 radius), and divided along and across its axis.
   bool hasCleanEnds(const std::vector<int>& members, const CylinderFit& c) const {
     std::vector<int> sorted = members;
     std::sort(sorted.begin(), sorted.end());
-    bool runs_on = false;
+    bool runs_on = false, aligned = true;
     double widest = 0, low = 1e300, high = -1e300;
     for (const int f : members) {
       for (const FacetLink& link : facet(f).links) {
         const bool inside = std::binary_search(sorted.begin(), sorted.end(), link.facet);
-        if (!inside && isFree(link.facet)) runs_on = true;
-        if (inside) widest = std::max(widest, link.width);
+        if (!inside) {
+          runs_on = runs_on || isFree(link.facet);
+          continue;
+        }
+        widest = std::max(widest, link.width);
+        const MeshEdge& e = topology_.edges[link.edge];
+        const double along = std::abs(c.axis.dot((mesh_.vertices[e.b] - mesh_.vertices[e.a]).normalized()));
+        aligned = aligned && (along > 0.995 || along < 0.1);
       }
       for (const int v : facet(f).vertices) {
         low = std::min(low, c.axis.dot(mesh_.vertices[v]));
         high = std::max(high, c.axis.dot(mesh_.vertices[v]));
       }
     }
-    return !runs_on || high - low > 3 * widest;
+    return !runs_on || (aligned && high - low > std::max(3 * widest, 0.15 * c.radius));
   }
 
   void addCylinder(const std::vector<int>& members, CylinderFit c) {
@@ -212,6 +223,7 @@ class Splitter {
   const Facets& facets_;
   double tolerance_;
   std::vector<int> surface_of_facet_;
+  std::vector<char> spent_;  // lay in a strip that was no cylinder: no seed for another
   mutable std::vector<char> seen_;
   SurfaceSplit out_;
 };

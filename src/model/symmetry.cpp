@@ -15,6 +15,7 @@ constexpr int kSurfaceSamples = 1500;
 constexpr size_t kMostVertices = 3000;  // of the mesh, used as samples besides
 constexpr double kTwinShare = 0.12;     // a rotation that moves less of the surface makes a twin
 constexpr size_t kLargestGroup = 120;
+constexpr double kSameTurn = 0.06;  // rotations closer than this are one: half of a 60-fold turn [rad]
 
 double radicalInverse(unsigned n, unsigned base) {
   double value = 0, place = 1.0 / base;
@@ -52,6 +53,9 @@ class Finder {
       } else {
         noteTwin(motion);
       }
+    }
+    for (const Rigid3& motion : twinCandidates()) {
+      if (!contains(group, motion)) noteTwin(motion);
     }
     out_.symmetries.discrete = closed(std::move(group));
     std::stable_sort(out_.twins.begin(), out_.twins.end(),
@@ -249,13 +253,56 @@ class Finder {
     return out;
   }
 
+  /// Motions that map equal edges onto each other about the middle of all edges of that length. What spoils a
+  /// symmetry also moves the centroid: the body's own edges still know where its middle is.
+  std::vector<Rigid3> twinCandidates() const {
+    std::vector<std::vector<Mark>> kinds;
+    for (const Mark& m : marks_) {
+      if (m.kind != 1) continue;
+      auto same = std::find_if(kinds.begin(), kinds.end(), [&](const std::vector<Mark>& kind) {
+        return std::abs(kind.front().size - m.size) < 2 * tolerance_;
+      });
+      if (same == kinds.end()) same = kinds.insert(kinds.end(), std::vector<Mark>{});
+      same->push_back(m);
+    }
+    const auto total = [](const std::vector<Mark>& kind) { return kind.front().size * double(kind.size()); };
+    std::stable_sort(kinds.begin(), kinds.end(),
+                     [&](const auto& a, const auto& b) { return total(a) > total(b); });
+    std::vector<Rigid3> out;
+    for (size_t k = 0; k < std::min<size_t>(3, kinds.size()); ++k) {
+      if (kinds[k].size() <= 60) appendPairMotions(kinds[k], &out);
+    }
+    return out;
+  }
+
+  void appendPairMotions(std::vector<Mark> marks, std::vector<Rigid3>* out) const {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Mark& m : marks) middle += m.p / double(marks.size());
+    for (Mark& m : marks) m.p -= middle;
+    const Eigen::Vector3d centre = centroid_ + middle, a = marks.front().p;
+    const auto b = std::find_if(marks.begin(), marks.end(), [&](const Mark& m) {
+      return a.cross(m.p).norm() > 0.2 * a.norm() * m.p.norm() && m.p.norm() > 10 * tolerance_;
+    });
+    if (b == marks.end() || a.norm() < 10 * tolerance_) return;
+    const Eigen::Matrix3d from = frame(a, b->p);
+    for (const Mark& a2 : marks) {
+      if (std::abs(a2.p.norm() - a.norm()) > 2 * tolerance_) continue;
+      for (const Mark& b2 : marks) {
+        if (std::abs((a2.p - b2.p).norm() - (a - b->p).norm()) > 4 * tolerance_) continue;
+        if (std::abs(b2.p.norm() - b->p.norm()) > 2 * tolerance_) continue;
+        const Eigen::Matrix3d r = frame(a2.p, b2.p) * from.transpose();
+        out->push_back({r, centre - r * centre});
+      }
+    }
+  }
+
   static double apart(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
     return Eigen::AngleAxisd(a.transpose() * b).angle();
   }
 
   static bool contains(const std::vector<Rigid3>& group, const Rigid3& motion) {
     return std::any_of(group.begin(), group.end(),
-                       [&](const Rigid3& g) { return apart(g.rotation, motion.rotation) < 0.02; });
+                       [&](const Rigid3& g) { return apart(g.rotation, motion.rotation) < kSameTurn; });
   }
 
   /// Products of symmetries are symmetries: adds those that no candidate named, in a repeatable order.
@@ -263,7 +310,8 @@ class Finder {
     for (size_t i = 0; i < group.size() && group.size() < kLargestGroup; ++i) {
       for (size_t j = 0; j <= i && group.size() < kLargestGroup; ++j) {
         for (const Rigid3& product : {group[i] * group[j], group[j] * group[i]}) {
-          if (!contains(group, product)) group.push_back(about(product.rotation));
+          if (!contains(group, product) && holds(about(product.rotation)))
+            group.push_back(about(product.rotation));
         }
       }
     }
@@ -304,7 +352,7 @@ class Finder {
       if (double(off) > kTwinShare * double(count)) return;
     }
     for (const NearSymmetry& t : out_.twins) {
-      if (apart(t.motion.rotation, motion.rotation) < 0.02) return;
+      if (apart(t.motion.rotation, motion.rotation) < kSameTurn) return;
     }
     out_.twins.push_back({motion, double(off) / double(count)});
   }

@@ -56,9 +56,9 @@ std::vector<Eigen::Vector3d> meridian(const Symmetries& symmetries, double spaci
 }  // namespace
 
 std::vector<Eigen::Vector3d> viewDirections(const Symmetries& symmetries, double spacing) {
-  if (!(spacing >= 0.01 && spacing <= 1.6)) {
+  if (!(spacing >= 0.05 && spacing <= 1.6)) {
     throw BadInput("the spacing of view directions is " + std::to_string(spacing) +
-                   "; it must be 0.01 to 1.6 rad");
+                   "; it must be 0.05 to 1.6 rad");
   }
   if (symmetries.sphere) return {generic()};
   if (symmetries.axis) return meridian(symmetries, spacing);

@@ -1,0 +1,194 @@
+// What the package sees in CAD files: size, surfaces, edges, circles, symmetries, views, warnings, and a
+// picture.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "model_picture.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/model_base.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::string unit = "mm", png, json;
+};
+
+bool isYaml(const std::string& path) {
+  const auto ends = [&](const std::string& end) {
+    return path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
+  };
+  return ends(".yaml") || ends(".yml");
+}
+
+/// "flange" of "parts/flange.stl"; a number is added when the name is taken.
+std::string nameOf(const std::string& path, const std::vector<ObjectEntry>& taken) {
+  const size_t slash = path.rfind('/');
+  const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::string stem = file.substr(0, file.rfind('.'));
+  std::string name = stem;
+  for (int n = 2;
+       std::any_of(taken.begin(), taken.end(), [&](const ObjectEntry& e) { return e.name == name; }); ++n) {
+    name = stem + "_" + std::to_string(n);
+  }
+  return name;
+}
+
+std::vector<ObjectEntry> entriesOf(const Arguments& arguments) {
+  metresPerUnit(arguments.unit);
+  std::vector<ObjectEntry> entries;
+  for (const std::string& file : arguments.files) {
+    if (!isYaml(file)) {
+      ObjectEntry entry;
+      entry.name = nameOf(file, entries);
+      entry.mesh = file;
+      entry.unit = arguments.unit;
+      entries.push_back(entry);
+      continue;
+    }
+    for (const ObjectEntry& entry : readObjectEntries(file)) entries.push_back(entry);
+  }
+  return entries;
+}
+
+std::string text(const char* format, double a, double b = 0, double c = 0) {
+  char line[160];
+  std::snprintf(line, sizeof line, format, a, b, c);
+  return line;
+}
+
+std::string symmetryText(const Symmetries& s) {
+  if (s.sphere) return "sphere: every rotation about its centre";
+  const std::string poses =
+      std::to_string(s.discrete.size()) + (s.discrete.size() == 1 ? " pose" : " equal poses");
+  if (!s.axis) return s.discrete.size() == 1 ? "none" : poses;
+  const Eigen::Vector3d &d = s.axis->direction, p = 1000 * s.axis->point;
+  return "free about the axis " + text("(%.4g, %.4g, %.4g)", d.x() + 0.0, d.y() + 0.0, d.z() + 0.0) +
+         " through " + text("(%.3f, %.3f, %.3f) mm", p.x(), p.y(), p.z()) +
+         (s.discrete.size() > 1 ? ", and a flip" : "");
+}
+
+int count(const ObjectModel& m, Surface::Kind kind) {
+  return int(
+      std::count_if(m.surfaces.begin(), m.surfaces.end(), [&](const Surface& s) { return s.kind == kind; }));
+}
+
+int fullCircles(const ObjectModel& m) {
+  return int(
+      std::count_if(m.circles.begin(), m.circles.end(), [](const ModelCircle& c) { return c.full(); }));
+}
+
+std::vector<std::string> describe(const KnownObject& object) {
+  const ObjectModel& m = object.model;
+  const Eigen::Vector3d size = 1000 * m.bounds.sizes(), low = 1000 * m.bounds.min();
+  const int full = fullCircles(m);
+  std::vector<std::string> lines;
+  lines.push_back(m.name);
+  lines.push_back("  size        " + text("%.2f x %.2f x %.2f mm", size.x(), size.y(), size.z()) +
+                  text(", diameter %.2f mm", 1000 * m.diameter));
+  lines.push_back("  lowest      " + text("(%.2f, %.2f, %.2f) mm", low.x(), low.y(), low.z()));
+  lines.push_back("  mesh        " + std::to_string(m.mesh.triangles.size()) + " triangles, " +
+                  std::to_string(m.mesh.vertices.size()) + " vertices, " + (m.closed ? "closed" : "open"));
+  lines.push_back("  faces       " + std::to_string(count(m, Surface::Kind::kPlane)) + " planes, " +
+                  std::to_string(count(m, Surface::Kind::kCylinder)) + " cylinders, " +
+                  std::to_string(count(m, Surface::Kind::kFreeform)) + " free forms");
+  lines.push_back("  edges       " + std::to_string(m.edges.size()) + " straight, " +
+                  std::to_string(m.corners.size()) + " corners");
+  lines.push_back("  circles     " + std::to_string(full) + " full, " +
+                  std::to_string(m.circles.size() - full) + " arcs");
+  lines.push_back("  symmetry    " + symmetryText(m.symmetries));
+  lines.push_back("  views       " + std::to_string(object.views.directions) + " directions x " +
+                  std::to_string(object.views.distances.size()) + " distances, " +
+                  std::to_string(object.views.characteristic.size()) + " characteristic views");
+  for (const std::string& w : m.warnings) lines.push_back("  warning     " + w);
+  return lines;
+}
+
+nlohmann::json asJson(const KnownObject& object) {
+  const ObjectModel& m = object.model;
+  const auto list = [](const Eigen::Vector3d& v) { return std::vector<double>{v.x(), v.y(), v.z()}; };
+  nlohmann::json j;
+  j["name"] = m.name;
+  j["size_m"] = list(m.bounds.sizes());
+  j["min_m"] = list(m.bounds.min());
+  j["diameter_m"] = m.diameter;
+  j["triangles"] = m.mesh.triangles.size();
+  j["closed"] = m.closed;
+  j["planes"] = count(m, Surface::Kind::kPlane);
+  j["cylinders"] = count(m, Surface::Kind::kCylinder);
+  j["freeforms"] = count(m, Surface::Kind::kFreeform);
+  j["edges"] = m.edges.size();
+  j["corners"] = m.corners.size();
+  j["circles"] = fullCircles(m);
+  j["arcs"] = m.circles.size() - fullCircles(m);
+  j["equal_poses"] = m.symmetries.discrete.size();
+  j["sphere"] = m.symmetries.sphere;
+  if (m.symmetries.axis) {
+    j["axis"] = {{"direction", list(m.symmetries.axis->direction)},
+                 {"point_m", list(m.symmetries.axis->point)}};
+  }
+  j["view_directions"] = object.views.directions;
+  j["characteristic_views"] = object.views.characteristic.size();
+  j["warnings"] = m.warnings;
+  return j;
+}
+
+void check(const Arguments& arguments) {
+  const ModelBase base = compileModelBase(entriesOf(arguments));
+  nlohmann::json report = nlohmann::json::array();
+  std::vector<cv::Mat> pictures;
+  for (const KnownObject& object : base.objects) {
+    const std::vector<std::string> lines = describe(object);
+    for (const std::string& line : lines) std::cout << line << "\n";
+    report.push_back(asJson(object));
+    if (!arguments.png.empty()) pictures.push_back(modelPicture(object.model, lines));
+  }
+  if (!arguments.json.empty()) {
+    std::ofstream out(arguments.json);
+    out << report.dump(2) << "\n";
+    out.close();
+    if (!out) throw BadInput(arguments.json + ": cannot be written; check the folder");
+  }
+  if (pictures.empty()) return;
+  cv::Mat all;
+  cv::vconcat(pictures, all);
+  bool written = false;
+  try {
+    written = cv::imwrite(arguments.png, all);
+  } catch (const cv::Exception&) {
+  }
+  if (!written)
+    throw BadInput(arguments.png + ": cannot be written; check the folder, and that the name ends in .png");
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
+
+int main(int argc, char** argv) {
+  monocular_eye_hand::Arguments arguments;
+  CLI::App app(
+      "Shows what recognition can see in CAD files: size, faces, edges, circles, symmetries, views, "
+      "warnings.");
+  app.add_option("FILE", arguments.files, "STL, OBJ, PLY or DAE files, or a model base (.yaml)")->required();
+  app.add_option("--unit", arguments.unit,
+                 "what one unit of the files is: m, cm, mm, inch (a .yaml states its own)")
+      ->capture_default_str();
+  app.add_option("--png", arguments.png, "draw the models, one below the other");
+  app.add_option("--json", arguments.json, "write the figures");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    monocular_eye_hand::check(arguments);
+  } catch (const monocular_eye_hand::BadInput& e) {
+    std::cerr << "model_check: " << e.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,256 @@
+#include "monocular_eye_hand/model/model_base.h"
+
+#include <dirent.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "shapes.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+using namespace shapes;
+using testing::HasSubstr;
+
+/// A folder of its own for each test, emptied at the end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = testing::TempDir() + "model_base_XXXXXX";
+    path = mkdtemp(&name[0]);
+  }
+  ~Folder() {
+    for (const std::string& f : files()) std::remove((path + "/" + f).c_str());
+    rmdir(path.c_str());
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> out;
+    DIR* dir = opendir(path.c_str());
+    while (const dirent* entry = dir ? readdir(dir) : nullptr) {
+      if (entry->d_name[0] != '.') out.push_back(entry->d_name);
+    }
+    if (dir) closedir(dir);
+    return out;
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path + "/" + name, std::ios::binary) << text;
+    return path + "/" + name;
+  }
+  std::string path;
+};
+
+std::string bytesOf(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+ObjectEntry entry(const std::string& name) { return {name, shippedModel(name), "mm", {}}; }
+
+void expectEqual(const KnownObject& a, const KnownObject& b) {
+  ASSERT_EQ(a.views.views.size(), b.views.views.size());
+  EXPECT_EQ(a.views.step, b.views.step);
+  EXPECT_EQ(a.views.directions, b.views.directions);
+  EXPECT_EQ(a.views.distances, b.views.distances);
+  for (size_t k = 0; k < a.views.views.size(); ++k) {
+    const SampledView &v = a.views.views[k], &w = b.views.views[k];
+    EXPECT_EQ(v.direction, w.direction);
+    EXPECT_EQ(v.characteristic_view, w.characteristic_view);
+    ASSERT_EQ(v.contour.size(), w.contour.size());
+    for (size_t s = 0; s < v.contour.size(); ++s) {
+      EXPECT_EQ(v.contour[s].p, w.contour[s].p);
+      EXPECT_EQ(v.contour[s].tangent, w.contour[s].tangent);
+      EXPECT_EQ(v.contour[s].group, w.contour[s].group);
+      EXPECT_EQ(v.contour[s].silhouette, w.contour[s].silhouette);
+      EXPECT_EQ(v.contour[s].inner_side, w.contour[s].inner_side);
+    }
+  }
+  ASSERT_EQ(a.views.characteristic.size(), b.views.characteristic.size());
+  for (size_t k = 0; k < a.views.characteristic.size(); ++k) {
+    EXPECT_EQ(a.views.characteristic[k].groups, b.views.characteristic[k].groups);
+    EXPECT_EQ(a.views.characteristic[k].weight, b.views.characteristic[k].weight);
+  }
+  ASSERT_EQ(a.model.symmetries.discrete.size(), b.model.symmetries.discrete.size());
+  for (size_t k = 0; k < a.model.symmetries.discrete.size(); ++k) {
+    EXPECT_EQ(a.model.symmetries.discrete[k].rotation, b.model.symmetries.discrete[k].rotation);
+    EXPECT_EQ(a.model.symmetries.discrete[k].translation, b.model.symmetries.discrete[k].translation);
+  }
+  ASSERT_EQ(bool(a.model.symmetries.axis), bool(b.model.symmetries.axis));
+  if (a.model.symmetries.axis) {
+    EXPECT_EQ(a.model.symmetries.axis->direction, b.model.symmetries.axis->direction);
+  }
+  EXPECT_EQ(a.model.warnings, b.model.warnings);
+}
+
+TEST(ModelBase, ShippedBaseLoads) {
+  const ModelBase base =
+      loadModelBase(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/objects.yaml", {}, "none");
+  EXPECT_EQ(base.names(), "bridge, grenade, frame, flange, bracket");
+  EXPECT_EQ(base.indexOf("flange"), 3);
+  EXPECT_EQ(base.indexOf("teapot"), -1);
+  for (const KnownObject& o : base.objects) EXPECT_GT(o.views.views.size(), 0u);
+}
+
+TEST(Cache, GivesTheSameAndIsRebuiltWhenDamaged) {
+  const Folder folder;
+  for (const char* name : {"bridge", "flange"}) {
+    const ModelBase fresh = compileModelBase({entry(name)}, {}, "none");
+    const size_t before = folder.files().size();
+    const ModelBase first = compileModelBase({entry(name)}, {}, folder.path);
+    ASSERT_EQ(folder.files().size(), before + 1);
+    const ModelBase second = compileModelBase({entry(name)}, {}, folder.path);
+    EXPECT_EQ(folder.files().size(), before + 1);
+    expectEqual(fresh.objects[0], first.objects[0]);
+    expectEqual(fresh.objects[0], second.objects[0]);
+  }
+}
+
+TEST(Cache, DamageAtManyPlacesIsNoticed) {
+  const Folder folder;
+  ViewOptions views;
+  views.spacing = 0.6;
+  const ModelBase good = compileModelBase({entry("frame")}, views, folder.path);
+  const std::string name = folder.files().at(0), bytes = bytesOf(folder.path + "/" + name);
+  for (size_t k = 0; k < 40; ++k) {
+    std::string bad = bytes;
+    if (k % 2 == 0) {
+      bad[k * (bytes.size() - 1) / 40] ^= 0x10;
+    } else {
+      bad.resize(k * bytes.size() / 40);
+    }
+    folder.write(name, bad);
+    expectEqual(good.objects[0], compileModelBase({entry("frame")}, views, folder.path).objects[0]);
+    ASSERT_EQ(bytesOf(folder.path + "/" + name), bytes) << "not rebuilt after damage " << k;
+  }
+}
+
+TEST(Cache, IsReadAndNotOnlyWritten) {
+  // A sound file under the same name with another object's content must show in the result.
+  const Folder folder, other;
+  compileModelBase({entry("frame")}, {}, folder.path);
+  compileModelBase({entry("bridge")}, {}, other.path);
+  folder.write(folder.files().at(0), bytesOf(other.path + "/" + other.files().at(0)));
+  EXPECT_EQ(compileModelBase({entry("frame")}, {}, folder.path).objects[0].model.symmetries.discrete.size(),
+            2u);
+}
+
+TEST(Cache, MeshUnitAndOptionsMakeItStale) {
+  const Folder folder;
+  ObjectEntry e = entry("frame");
+  compileModelBase({e}, {}, folder.path);
+  ViewOptions views;
+  views.samples_per_view = 60;
+  compileModelBase({e}, views, folder.path);
+  e.unit = "cm";
+  compileModelBase({e}, {}, folder.path);
+  e.unit = "mm";
+  e.options.symmetry_tolerance = 1e-3;
+  compileModelBase({e}, {}, folder.path);
+  e = entry("bridge");
+  e.name = "frame";
+  compileModelBase({e}, {}, folder.path);
+  EXPECT_EQ(folder.files().size(), 5u);
+}
+
+TEST(Cache, AFolderThatCannotBeWrittenIsNoError) {
+  const Folder folder;
+  const std::string file = folder.write("taken", "a file where the folder should be");
+  EXPECT_EQ(compileModelBase({entry("frame")}, {}, file + "/cache").objects.size(), 1u);
+}
+
+TEST(Cache, FolderFollowsTheEnvironment) {
+  const Folder folder;
+  setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
+  compileModelBase({entry("frame")}, {}, "");
+  unsetenv("XDG_CACHE_HOME");
+  const std::string inside = folder.path + "/monocular_eye_hand";
+  DIR* dir = opendir(inside.c_str());
+  ASSERT_TRUE(dir);
+  int files = 0;
+  while (const dirent* e = readdir(dir)) {
+    if (e->d_name[0] == '.') continue;
+    ++files;
+    std::remove((inside + "/" + e->d_name).c_str());
+  }
+  closedir(dir);
+  rmdir(inside.c_str());
+  EXPECT_EQ(files, 1);
+}
+
+TEST(LookAlikes, AreWarnedAboutInBothModels) {
+  ObjectEntry twin = entry("bridge");
+  twin.name = "bridge2";
+  ObjectEntry larger = twin;
+  larger.name = "big bridge";
+  larger.unit = "cm";
+  ViewOptions views;
+  views.spacing = 0.6;
+  const ModelBase base = compileModelBase({entry("bridge"), twin, larger, entry("frame")}, views, "none");
+  EXPECT_THAT(base.objects[0].model.warnings,
+              testing::Contains(HasSubstr("looks like bridge2: one is easily")));
+  EXPECT_THAT(base.objects[1].model.warnings, testing::Contains(HasSubstr("looks like bridge:")));
+  EXPECT_THAT(base.objects[2].model.warnings, testing::Contains(HasSubstr("another size")));
+  EXPECT_TRUE(base.objects[3].model.warnings.empty());
+}
+
+std::string failure(const std::string& yaml) {
+  const Folder folder;
+  folder.write("part.ply", bytesOf(shippedModel("bridge")));
+  try {
+    readObjectEntries(folder.write("objects.yaml", yaml));
+  } catch (const BadInput& e) {
+    EXPECT_THAT(e.what(), HasSubstr("objects.yaml"));
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(ObjectEntries, PathsUnitsAndOverrides) {
+  const Folder folder;
+  folder.write("part.ply", bytesOf(shippedModel("bridge")));
+  const std::string yaml =
+      folder.write("objects.yaml",
+                   "objects:\n- {name: a, mesh: part.ply, unit: inch, sharp_angle: 0.5}\n"
+                   "- {name: b, mesh: " +
+                       shippedModel("frame") + ", find_symmetries: false}\n");
+  const auto entries = readObjectEntries(yaml);
+  ASSERT_EQ(entries.size(), 2u);
+  EXPECT_EQ(entries[0].mesh, folder.path + "/part.ply");
+  EXPECT_EQ(entries[0].unit, "inch");
+  EXPECT_EQ(entries[0].options.sharp_angle, 0.5);
+  EXPECT_EQ(entries[1].unit, "mm");
+  EXPECT_EQ(entries[1].mesh, shippedModel("frame"));
+  EXPECT_FALSE(entries[1].options.find_symmetries);
+}
+
+TEST(ObjectEntries, MistakesAreNamed) {
+  EXPECT_THROW(readObjectEntries("/no/such/objects.yaml"), BadInput);
+  EXPECT_THAT(failure("objects: [{name: a"), HasSubstr("objects.yaml"));
+  EXPECT_THAT(failure("object: []"), HasSubstr("unknown key \"object\"; known: objects"));
+  EXPECT_THAT(failure("objects: []"), HasSubstr("at least one"));
+  EXPECT_THAT(failure("just text"), HasSubstr("objects"));
+  EXPECT_THAT(failure("objects: [3]"), HasSubstr("name"));
+  EXPECT_THAT(failure("objects: [{mesh: part.ply}]"), HasSubstr("\"name\" is missing"));
+  EXPECT_THAT(failure("objects: [{name: a}]"), HasSubstr("\"mesh\" is missing"));
+  EXPECT_THAT(failure("objects: [{name: a, mesh: none.stl}]"), HasSubstr("none.stl"));
+  EXPECT_THAT(failure("objects: [{name: a, mesh: part.ply, units: mm}]"),
+              HasSubstr("unknown key \"units\"; known: name, mesh, unit, sharp_angle"));
+  EXPECT_THAT(failure("objects: [{name: a, mesh: part.ply, unit: ell}]"),
+              HasSubstr("known: m, cm, mm, inch"));
+  EXPECT_THAT(failure("objects: [{name: a, mesh: part.ply, sharp_angle: wide}]"), HasSubstr("sharp_angle"));
+  EXPECT_THAT(failure("objects: [{name: a, mesh: part.ply, sharp_angle: 9}]"), HasSubstr("sharp_angle"));
+  EXPECT_THAT(failure("objects: [{name: a, mesh: part.ply}, {name: a, mesh: part.ply}]"),
+              HasSubstr("used twice"));
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
