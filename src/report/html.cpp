@@ -25,7 +25,7 @@ h2 { margin: 38px 0 10px; font-size: 19px; }
 p { max-width: 75em; }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(400px, 1fr)); gap: 18px; }
 figure, .card { margin: 0; background: #fff; border: 1px solid var(--line); border-radius: 8px; overflow: hidden; }
-figure.wide { max-width: 1280px; }
+figure.wide { max-width: 1280px; margin-bottom: 18px; }
 img { display: block; width: 100%; height: auto; }
 figcaption { padding: 8px 12px; color: var(--soft); font-size: 14px; }
 .card .body { padding: 10px 14px 14px; }
@@ -34,6 +34,7 @@ figcaption { padding: 8px 12px; color: var(--soft); font-size: 14px; }
 .accepted { background: var(--good); } .ambiguous { background: var(--warn); } .rejected { background: var(--bad); }
 table { border-collapse: collapse; background: #fff; border: 1px solid var(--line); }
 th, td { padding: 5px 14px; text-align: left; border-bottom: 1px solid var(--line); font-variant-numeric: tabular-nums; }
+td:not(:last-child) { white-space: nowrap; }
 th { font-weight: 600; color: var(--soft); font-size: 13px; }
 .terms { margin: 8px 0 0; display: grid; grid-template-columns: auto 1fr; gap: 1px 14px; font-size: 13px; }
 .terms dt { color: var(--soft); } .terms dd { margin: 0; font-variant-numeric: tabular-nums; }
