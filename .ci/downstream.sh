@@ -13,26 +13,37 @@ cmake_minimum_required(VERSION 3.16)
 project(downstream CXX)
 set(CMAKE_CXX_STANDARD 17)
 find_package(monocular_eye_hand REQUIRED)
-add_executable(downstream downstream.cpp)
+add_executable(downstream core.cpp messages.cpp)
 target_include_directories(downstream PRIVATE ${monocular_eye_hand_INCLUDE_DIRS})
 target_link_libraries(downstream ${monocular_eye_hand_LIBRARIES})
 CMAKE
-cat >"$folder/source/downstream.cpp" <<'CXX'
+# Two files: message and core both call their struct monocular_eye_hand::RecognizedObject.
+cat >"$folder/source/messages.cpp" <<'CXX'
 #include <monocular_eye_hand/RecognizedObjectArray.h>
 
+#include <cstddef>
+
+std::size_t objectsInMessage() {
+  monocular_eye_hand::RecognizedObjectArray message;
+  message.objects.resize(1);
+  return message.objects.size();
+}
+CXX
+cat >"$folder/source/core.cpp" <<'CXX'
+#include <cstddef>
 #include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
 
+std::size_t objectsInMessage();
+
 int main() {
-  monocular_eye_hand::RecognizedObjectArray message;
-  message.objects.resize(1);
   try {
     monocular_eye_hand::Recognizer recognizer({});
   } catch (const monocular_eye_hand::BadInput& error) {
     std::printf("as it should, an empty model base is refused: %s\n", error.what());
-    return 0;
+    return objectsInMessage() == 1 ? 0 : 1;
   }
   return 1;
 }

@@ -10,7 +10,7 @@ if(programs)
 endif()
 install(DIRECTORY include/${PROJECT_NAME}/
   DESTINATION ${MONOCULAR_EYE_HAND_INCLUDE_DESTINATION}/${PROJECT_NAME} FILES_MATCHING PATTERN "*.h")
-install(DIRECTORY config models DESTINATION ${share})
+install(DIRECTORY config models data DESTINATION ${share})
 if(MONOCULAR_EYE_HAND_WITH_ROS)
   install(DIRECTORY launch rviz DESTINATION ${share})
 else()  # catkin writes its own package configuration

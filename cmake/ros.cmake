@@ -87,6 +87,7 @@ endfunction()
 
 if(CATKIN_ENABLE_TESTING AND MONOCULAR_EYE_HAND_TESTS)
   find_package(rostest REQUIRED)
+  find_package(roslaunch REQUIRED)  # roslaunch_add_file_check()
 endif()
 
 function(ros_test file)

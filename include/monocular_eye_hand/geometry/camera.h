@@ -7,12 +7,12 @@ namespace monocular_eye_hand {
 
 enum class DistortionModel { kNone, kPlumbBob, kRationalPolynomial };
 
-/// Pinhole camera with lens distortion. Camera frame: optical (x right, y down, z forward, metres). Pixel centres
-/// lie at integer coordinates. `uv_raw` is a pixel of the image as taken, `uv_rect` the pixel where an ideal
-/// pinhole with the same fx, fy, cx, cy would see the same ray; without distortion they are equal.
+/// Pinhole camera with lens distortion. Camera frame: optical (x right, y down, z forward, metres). Pixel
+/// centres lie at integer coordinates. `uv_raw` is a pixel of the image as taken, `uv_rect` the pixel where
+/// an ideal pinhole with the same fx, fy, cx, cy would see the same ray; without distortion they are equal.
 struct Camera {
-  int width = 0;   ///< pixels
-  int height = 0;  ///< pixels
+  int width = 0;                          ///< pixels
+  int height = 0;                         ///< pixels
   double fx = 0, fy = 0, cx = 0, cy = 0;  ///< pixels
   DistortionModel model = DistortionModel::kNone;
   std::array<double, 8> d{};  ///< k1, k2, p1, p2, k3, k4, k5, k6 (OpenCV's order)
@@ -32,8 +32,8 @@ struct Camera {
   Eigen::Matrix3d intrinsics() const;
   /// The same camera with an image resized by `factor` (pixel centres stay at integers).
   Camera resized(double factor) const;
-  /// Throws BadInput naming the field when a value is missing, not finite or implausible (fx or fy below a fifth
-  /// of the image's width, principal point outside the image, unknown distortion).
+  /// Throws BadInput naming the field when a value is missing, not finite or implausible (fx or fy below a
+  /// fifth of the image's width, principal point outside the image, unknown distortion).
   void check() const;
 };
 

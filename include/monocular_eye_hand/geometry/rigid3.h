@@ -7,8 +7,8 @@ namespace monocular_eye_hand {
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// A rigid transform `a_from_b`: maps coordinates in frame b to coordinates in frame a. Products read right to
-/// left and equal neighbours cancel: `base_from_tool * tool_from_camera * camera_from_object` (tf's
+/// A rigid transform `a_from_b`: maps coordinates in frame b to coordinates in frame a. Products read right
+/// to left and equal neighbours cancel: `base_from_tool * tool_from_camera * camera_from_object` (tf's
 /// lookupTransform(target = a, source = b)). The seed's p_m = R p_c + T is `object_from_camera`.
 struct Rigid3 {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -38,9 +38,9 @@ double angleBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 /// Nearest rotation matrix (Frobenius norm).
 Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& m);
 
-/// Applies a small motion d = (x, y, z, rotation about x, y, z), metres and radians, about the fixed axes of the
-/// target frame: rotation' = Exp(d_rot) rotation, translation' = translation + d_xyz. 6x6 covariances use this
-/// order and these axes, as geometry_msgs/PoseWithCovariance does.
+/// Applies a small motion d = (x, y, z, rotation about x, y, z), metres and radians, about the fixed axes of
+/// the target frame: rotation' = Exp(d_rot) rotation, translation' = translation + d_xyz. 6x6 covariances use
+/// this order and these axes, as geometry_msgs/PoseWithCovariance does.
 Rigid3 perturbed(const Rigid3& a_from_b, const Vector6d& d);
 /// The d with perturbed(a, d) = b.
 Vector6d difference(const Rigid3& a, const Rigid3& b);
