@@ -1,0 +1,124 @@
+#include "monocular_eye_hand/recognition/alignment.h"
+
+#include <random>
+
+#include "world.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+const std::vector<double> kRanges{6.0, 4.0, 2.5, 1.5};
+
+// What an alignment needs of one shipped picture of one part.
+class Alignment : public testing::TestWithParam<const char*> {
+ protected:
+  Alignment()
+      : picture_(shippedPicture(std::string("golden/") + GetParam())),
+        model_(shippedModels().objects.at(size_t(shippedModels().indexOf(GetParam())))),
+        domain_(rectDomain(picture_.camera)),
+        features_(detectFeatures(picture_.grey, picture_.camera)),
+        raster_(features_, domain_),
+        truth_(picture_.truth.at(0).camera_from_object) {}
+
+  // A turn of `angle` rad about a random axis through the centre, `pixels` sideways, `share` of the distance.
+  Rigid3 perturbedTruth(double angle, double pixels, double share, std::mt19937* random) const {
+    std::normal_distribution<double> normal;
+    const auto sign = [&] { return normal(*random) < 0 ? -1.0 : 1.0; };
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d(normal(*random), normal(*random), normal(*random)).normalized();
+    const double way = M_PI * normal(*random);
+    const Eigen::Vector3d centre = truth_ * model_.model().centre();
+    const double metres = pixels * centre.z() / picture_.camera.fx;
+    const Eigen::Vector3d moved =
+        (1 + sign() * share) * (centre + metres * Eigen::Vector3d(std::cos(way), std::sin(way), 0));
+    Rigid3 pose;
+    pose.rotation = expSO3(angle * axis) * truth_.rotation;
+    pose.translation = moved - pose.rotation * model_.model().centre();
+    return pose;
+  }
+  double imageError(const Rigid3& pose) const {
+    return poseError(model_.model(), picture_.camera, pose, truth_).image;
+  }
+
+  Picture picture_;
+  SearchModel model_;
+  RectDomain domain_;
+  FeatureSet features_;
+  EdgeRaster raster_;
+  Rigid3 truth_;
+};
+
+TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent) {
+  std::mt19937 random(7);
+  const int tries = 20;
+  // Of the frame, 270 px wide, that would move points by twice the reach of the association.
+  const double amount = std::string(GetParam()) == "frame" ? 0.6 : 1;
+  int coarse = 0, fine = 0;
+  for (int i = 0; i < tries; ++i) {
+    int view = 0;
+    Rigid3 pose = model_.canonical(perturbedTruth(0.07 * amount, 4 * amount, 0.04 * amount, &random), &view);
+    if (!alignCoarsely(model_, picture_.camera, raster_, &pose, &view)) continue;
+    coarse += imageError(pose) < 5;
+    const RefinedPose refined = alignFinely(model_, picture_.camera, domain_, raster_, pose, kRanges, 4.0);
+    fine += refined.well_posed && imageError(refined.camera_from_object) < 1.5;
+  }
+  EXPECT_GE(coarse, 18);
+  EXPECT_GE(fine, 18);
+}
+
+TEST_P(Alignment, fine_alone_is_exact_from_nearby_and_knows_its_certainty) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 5; ++i) {
+    const RefinedPose refined = alignFinely(model_, picture_.camera, domain_, raster_,
+                                            perturbedTruth(0.01, 1, 0.01, &random), kRanges, 4.0);
+    ASSERT_TRUE(refined.well_posed);
+    EXPECT_LT(imageError(refined.camera_from_object), 1.0);
+    EXPECT_LT(refined.rms, 0.6);
+    EXPECT_GT(refined.inliers, 20);
+    const Matrix6d& c = refined.covariance;
+    EXPECT_TRUE(c.allFinite());
+    EXPECT_LT((c - c.transpose()).norm(), 1e-9 * c.norm());
+    EXPECT_GT(c.diagonal().minCoeff(), 0);
+    EXPECT_LT(c(0, 0), c(2, 2)) << "depth is the least certain direction";
+    EXPECT_LT(std::sqrt(c(0, 0)), 1e-3);
+  }
+}
+
+TEST_P(Alignment, where_there_is_no_edge_it_fails_and_says_so) {
+  const FeatureSet nothing;
+  const EdgeRaster empty(nothing, domain_);
+  int view = 0;
+  Rigid3 pose = model_.canonical(truth_, &view);
+  EXPECT_FALSE(alignCoarsely(model_, picture_.camera, empty, &pose, &view));
+  const RefinedPose refined = alignFinely(model_, picture_.camera, domain_, empty, truth_, kRanges, 4.0);
+  EXPECT_FALSE(refined.well_posed);
+  EXPECT_LT(difference(refined.camera_from_object, truth_).norm(), 1e-12) << "the start comes back";
+}
+
+TEST_P(Alignment, the_projected_contour_lies_on_the_image_edges) {
+  const std::vector<SeenSample> contour =
+      projectContour(model_.model(), truth_, picture_.camera, domain_, 4.0);
+  ASSERT_GT(contour.size(), 50u);
+  int on_edge = 0, outline = 0;
+  for (const SeenSample& s : contour) {
+    ASSERT_LT((s.uv - picture_.camera.project(truth_ * s.p_in_object)).norm(), 1e-9);
+    ASSERT_NEAR(s.direction.norm(), 1, 1e-9);
+    ASSERT_EQ(s.inside, domain_.contains(s.uv.x(), s.uv.y()));
+    ASSERT_GE(s.group, 0);
+    ASSERT_LT(s.group, model_.model().groupCount());
+    ASSERT_EQ(s.edge_point, -1) << "matching comes later";
+    outline += s.silhouette;
+    on_edge += raster_.find(s.uv, {-s.direction.y(), s.direction.x()}, 2) >= 0;
+  }
+  EXPECT_GT(outline, 10);
+  EXPECT_GT(on_edge, 0.8 * double(contour.size()));
+  const auto coarse = projectContour(model_.model(), truth_, picture_.camera, domain_, 8.0);
+  EXPECT_NEAR(double(contour.size()) / double(coarse.size()), 2, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, Alignment,
+                         testing::Values("bridge", "grenade", "frame", "flange", "bracket"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace monocular_eye_hand

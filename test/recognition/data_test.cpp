@@ -1,0 +1,68 @@
+// Data sets with ground truth, from the folder that MONOCULAR_EYE_HAND_DATA names.
+#include <cstdlib>
+#include <filesystem>
+
+#include "monocular_eye_hand/evaluation/dataset.h"
+#include "monocular_eye_hand/evaluation/scores.h"
+#include "world.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+struct Share {
+  const char* name;
+  const char* dataset;  ///< below MONOCULAR_EYE_HAND_DATA
+  const char* split;
+  int scene;
+  int every;            ///< of the scene's images, every so many
+  double found, right;  ///< least shares
+};
+
+class DataSet : public testing::TestWithParam<Share> {};
+
+Recognizer recognizerOf(const BopModels& models) {
+  std::vector<ObjectEntry> entries;
+  for (const auto& [id, model] : models)
+    entries.push_back({model.name, std::filesystem::absolute(model.mesh_path).string(), "mm", {}});
+  return {compileModelBase(entries, {}, cacheFolder())};
+}
+
+TEST_P(DataSet, enough_is_found_and_what_is_reported_is_right) {
+  const Share& share = GetParam();
+  const char* root = std::getenv("MONOCULAR_EYE_HAND_DATA");
+  if (!root) GTEST_SKIP() << "set MONOCULAR_EYE_HAND_DATA to the folder with workcell/ and real/";
+  const std::string folder = std::string(root) + "/" + share.dataset;
+  const BopModels models = loadBopModels(folder + "/models");
+  BopSplit split = loadBopSplit(folder, share.split, {share.scene});
+  std::vector<BopImage> some;
+  for (size_t i = 0; i < split.images.size(); i += size_t(share.every)) some.push_back(split.images[i]);
+  split.images = some;
+  ASSERT_GE(split.images.size(), 4u);
+  const Recognizer recognizer = recognizerOf(models);
+  std::vector<int> ids;
+  for (const auto& entry : models) ids.push_back(entry.first);
+  std::vector<BopResult> rows;
+  for (const BopImage& image : split.images) {
+    const cv::Mat grey = loadBopImage(image);
+    const RecognitionResult result = recognizer.recognize(grey, bopCamera(image, grey.cols, grey.rows));
+    for (const RecognizedObject& o : result.objects)
+      rows.push_back({image.scene, image.id, ids.at(size_t(o.object)), o.probability, o.camera_from_object});
+  }
+  const auto summaries = summarize(split, models, rows, {});
+  ASSERT_EQ(summaries.size(), 1u);
+  ASSERT_GT(summaries[0].wanted, 0);
+  EXPECT_GE(summaries[0].foundShare(), share.found) << summaryLine(summaries[0]);
+  EXPECT_GE(summaries[0].rightShare(), share.right) << summaryLine(summaries[0]);
+  std::cout << share.name << ": " << summaryLine(summaries[0]) << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, DataSet,
+                         testing::Values(Share{"easy", "workcell", "dev", 1, 5, 0.8, 0.85},
+                                         Share{"medium", "workcell", "dev", 2, 5, 0.7, 0.85},
+                                         Share{"hard", "workcell", "dev", 3, 5, 0.45, 0.75},
+                                         Share{"cabinet", "real/cabinet", "test", 1, 6, 0.99, 0.99},
+                                         Share{"cube", "real/cube", "test", 1, 6, 0.99, 0.99}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace monocular_eye_hand

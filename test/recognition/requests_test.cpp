@@ -1,0 +1,214 @@
+// What is asked of one recognition, what it refuses, and that the same question has the same answer.
+#include <opencv2/imgproc.hpp>
+#include <thread>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "world.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const BadInput& e) {
+    return e.what();
+  }
+  return "no refusal";
+}
+
+RecognitionRequest onlyFor(const std::string& name) {
+  RecognitionRequest request;
+  request.only = name;
+  return request;
+}
+
+double scored(const RecognitionResult& result) {
+  double count = 0;
+  for (const StageReport& stage : result.stages) {
+    const auto it = stage.counts.find("scored");
+    if (it != stage.counts.end()) count += it->second;
+  }
+  return count;
+}
+
+template <class Objects>
+void expectSameObjects(const Objects& a, const Objects& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].name, b[i].name);
+    EXPECT_EQ(a[i].decision, b[i].decision);
+    EXPECT_EQ(a[i].probability, b[i].probability);
+    EXPECT_EQ(a[i].plausibility, b[i].plausibility);
+    EXPECT_EQ(a[i].reliability, b[i].reliability);
+    EXPECT_EQ(a[i].camera_from_object.rotation, b[i].camera_from_object.rotation);
+    EXPECT_EQ(a[i].camera_from_object.translation, b[i].camera_from_object.translation);
+    EXPECT_EQ(a[i].covariance, b[i].covariance);
+    EXPECT_EQ(a[i].evidence, b[i].evidence);
+    EXPECT_EQ(a[i].reason, b[i].reason);
+    EXPECT_EQ(a[i].bounding_box, b[i].bounding_box);
+    EXPECT_EQ(a[i].alternatives.size(), b[i].alternatives.size());
+  }
+}
+
+// Bit by bit.
+void expectSame(const RecognitionResult& a, const RecognitionResult& b) {
+  expectSameObjects(a.objects, b.objects);
+  expectSameObjects(a.rejected, b.rejected);
+  EXPECT_EQ(a.reason, b.reason);
+  EXPECT_EQ(a.truncated, b.truncated);
+  EXPECT_EQ(scored(a), scored(b));
+}
+
+Recognizer recognizerWith(const RecognitionOptions& options) { return {shippedModels(), options}; }
+
+TEST(Only, the_wanted_object_is_found_and_no_other_reported) {
+  const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
+  const RecognitionResult all = shippedRecognizer().recognize(picture.grey, picture.camera);
+  for (const char* name : {"grenade", "bridge"}) {
+    const RecognitionResult result =
+        shippedRecognizer().recognize(picture.grey, picture.camera, onlyFor(name));
+    ASSERT_FALSE(result.objects.empty()) << name << ": " << result.reason;
+    for (const RecognizedObject& o : result.objects) EXPECT_EQ(o.name, name);
+    for (const RecognizedObject& o : result.rejected) EXPECT_EQ(o.name, name);
+    double nearest = 1e9;
+    for (const TruthObject& truth : picture.truth)
+      if (truth.name == name)
+        nearest = std::min(nearest, poseError(shippedModel(name), picture.camera,
+                                              result.objects[0].camera_from_object, truth.camera_from_object)
+                                        .image);
+    EXPECT_LT(nearest, 3) << name;
+    EXPECT_LT(scored(result), scored(all) / 2) << name << ": the search did not stop early";
+  }
+}
+
+TEST(Only, what_is_not_there_is_nothing_with_a_reason) {
+  const Picture picture = shippedPicture("golden/grenade");
+  const RecognitionResult result =
+      shippedRecognizer().recognize(picture.grey, picture.camera, onlyFor("bridge"));
+  EXPECT_TRUE(result.objects.empty()) << listed(result);
+  EXPECT_FALSE(result.reason.empty());
+}
+
+TEST(BadInputs, an_unknown_name_is_refused_with_the_known_ones) {
+  const Picture picture = shippedPicture("golden/bridge");
+  EXPECT_THAT(
+      refusal([&] { shippedRecognizer().recognize(picture.grey, picture.camera, onlyFor("brigde")); }),
+      AllOf(HasSubstr("brigde"), HasSubstr("bridge"), HasSubstr("grenade"), HasSubstr("frame"),
+            HasSubstr("flange"), HasSubstr("bracket")));
+}
+
+TEST(BadInputs, an_empty_model_base_or_a_bad_option_is_refused_at_once) {
+  EXPECT_THAT(refusal([] { Recognizer(ModelBase{}); }), HasSubstr("model base is empty"));
+  RecognitionOptions options;
+  options.accept_probability = 2;
+  EXPECT_THAT(refusal([&] { recognizerWith(options); }), HasSubstr("accept_probability"));
+}
+
+TEST(BadInputs, images_that_are_empty_coloured_deep_or_of_another_size_are_refused) {
+  const Camera camera = testCamera();
+  const auto tell = [&](const cv::Mat& image) {
+    return refusal([&] { shippedRecognizer().recognize(image, camera); });
+  };
+  EXPECT_THAT(tell({}), HasSubstr("empty"));
+  EXPECT_THAT(tell(cv::Mat(480, 640, CV_8UC3, cv::Scalar(9, 9, 9))), HasSubstr("8-bit grey"));
+  EXPECT_THAT(tell(cv::Mat(480, 640, CV_16UC1, cv::Scalar(9))), HasSubstr("8-bit grey"));
+  EXPECT_THAT(tell(cv::Mat(640, 480, CV_8UC1, cv::Scalar(9))),
+              AllOf(HasSubstr("480 x 640"), HasSubstr("640 x 480")));
+}
+
+TEST(BadInputs, a_camera_without_calibration_is_refused) {
+  const cv::Mat image(480, 640, CV_8UC1, cv::Scalar(100));
+  const auto tell = [&](auto&& spoil) {
+    Camera camera = testCamera();
+    spoil(&camera);
+    return refusal([&] { shippedRecognizer().recognize(image, camera); });
+  };
+  EXPECT_THAT(tell([](Camera* c) { c->fx = 0; }), HasSubstr("fx"));
+  EXPECT_THAT(tell([](Camera* c) { c->fy = std::numeric_limits<double>::quiet_NaN(); }), HasSubstr("fy"));
+  EXPECT_THAT(tell([](Camera* c) { c->cx = -100; }), HasSubstr("cx"));
+  EXPECT_THAT(tell([](Camera* c) { c->width = 0; }), HasSubstr("width"));
+}
+
+TEST(SameQuestion, same_answer_bit_by_bit_again_and_from_two_threads_at_once) {
+  const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
+  const RecognitionResult first = shippedRecognizer().recognize(picture.grey, picture.camera);
+  ASSERT_FALSE(first.objects.empty());
+  RecognitionResult left, right;
+  std::thread other([&] { left = shippedRecognizer().recognize(picture.grey, picture.camera); });
+  right = shippedRecognizer().recognize(picture.grey, picture.camera);
+  other.join();
+  expectSame(first, left);
+  expectSame(first, right);
+}
+
+TEST(SameQuestion, the_image_may_be_a_part_of_a_larger_one) {
+  const Picture picture = shippedPicture("golden/bracket");
+  cv::Mat framed;
+  cv::copyMakeBorder(picture.grey, framed, 10, 20, 30, 40, cv::BORDER_CONSTANT, 255);
+  const cv::Mat view = framed(cv::Rect(30, 10, picture.grey.cols, picture.grey.rows));
+  ASSERT_FALSE(view.isContinuous());
+  expectSame(shippedRecognizer().recognize(picture.grey, picture.camera),
+             shippedRecognizer().recognize(view, picture.camera));
+}
+
+TEST(Budget, bounds_the_work_and_answers_the_same_each_time) {
+  const Picture picture = shippedPicture("golden/bridge");
+  const RecognitionResult whole = shippedRecognizer().recognize(picture.grey, picture.camera);
+  RecognitionOptions options;
+  options.budget = int(scored(whole) / 4);
+  const Recognizer limited = recognizerWith(options);
+  const RecognitionResult once = limited.recognize(picture.grey, picture.camera);
+  expectSame(once, limited.recognize(picture.grey, picture.camera));
+  EXPECT_LT(scored(once), scored(whole) / 2);
+  EXPECT_FALSE(once.truncated) << "only the wall clock makes results that may differ";
+}
+
+TEST(Budget, a_tiny_one_ends_early) {
+  const Picture picture = shippedPicture("golden/bridge");
+  RecognitionOptions options;
+  options.budget = 1;
+  const RecognitionResult result = recognizerWith(options).recognize(picture.grey, picture.camera);
+  EXPECT_LT(scored(result), 1000);
+  EXPECT_EQ(result.reason.empty(), !result.objects.empty());
+}
+
+TEST(TimeLimit, cuts_the_search_and_says_so) {
+  const Picture picture = shippedPicture("demo/frame_and_flange");
+  RecognitionOptions options;
+  options.time_limit = 1e-6;
+  const RecognitionResult result = recognizerWith(options).recognize(picture.grey, picture.camera);
+  EXPECT_TRUE(result.truncated);
+  EXPECT_EQ(scored(result), 0);
+  EXPECT_TRUE(result.objects.empty());
+  EXPECT_FALSE(result.reason.empty());
+}
+
+TEST(TimeLimit, a_generous_one_changes_nothing) {
+  const Picture picture = shippedPicture("golden/bracket");
+  RecognitionOptions options;
+  options.time_limit = 3600;
+  expectSame(recognizerWith(options).recognize(picture.grey, picture.camera),
+             shippedRecognizer().recognize(picture.grey, picture.camera));
+}
+
+TEST(Options, distances_and_sizes_that_are_not_considered_are_not_found) {
+  const Picture picture = shippedPicture("golden/grenade");  // stands at 0.45 m
+  RecognitionOptions far;
+  far.min_distance = 0.7, far.max_distance = 2;
+  for (const RecognizedObject& o : recognizerWith(far).recognize(picture.grey, picture.camera).objects)
+    EXPECT_GE(o.camera_from_object.translation.norm(), 0.6);
+  RecognitionOptions strict;
+  strict.accept_probability = 0.99999;
+  const RecognitionResult doubted = recognizerWith(strict).recognize(picture.grey, picture.camera);
+  EXPECT_TRUE(doubted.objects.empty());
+  ASSERT_FALSE(doubted.rejected.empty());
+  EXPECT_THAT(doubted.reason, HasSubstr(doubted.rejected[0].name));
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
