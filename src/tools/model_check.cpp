@@ -183,7 +183,11 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--png", arguments.png, "draw the models, one below the other");
   app.add_option("--json", arguments.json, "write the figures");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 1;
+  }
   try {
     monocular_eye_hand::check(arguments);
   } catch (const monocular_eye_hand::BadInput& e) {

@@ -105,10 +105,17 @@ cv::Mat modelPicture(const ObjectModel& model, const std::vector<std::string>& t
   drawFeatures(model, view, &picture);
   int y = 30;
   const auto write = [&](const std::string& line, const cv::Scalar& colour) {
-    constexpr size_t kColumns = 52;
-    for (size_t k = 0; k < std::max<size_t>(1, line.size()); k += kColumns, y += 20) {
-      cv::putText(picture, line.substr(k, kColumns), {14, y}, cv::FONT_HERSHEY_SIMPLEX, 0.43, colour, 1,
+    constexpr size_t kColumns = 54;
+    for (size_t k = 0; k < line.size();) {
+      size_t end = line.size();
+      if (end - k > kColumns) {
+        end = line.rfind(' ', k + kColumns);
+        if (end == std::string::npos || end <= k) end = k + kColumns;
+      }
+      cv::putText(picture, line.substr(k, end - k), {14, y}, cv::FONT_HERSHEY_SIMPLEX, 0.43, colour, 1,
                   cv::LINE_AA);
+      y += 20;
+      k = end;
     }
   };
   for (const std::string& line : text) write(line, kText);
