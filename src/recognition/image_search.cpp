@@ -174,6 +174,7 @@ void ImageSearch::judgeHypotheses(int object, int count) {
       candidate.pose.camera_from_object = model.canonical(candidate.pose.camera_from_object, &candidate.view);
       const Eigen::Vector3d centre = candidate.pose.camera_from_object * model.model().centre();
       if (centre.norm() < options_.min_distance || centre.norm() > options_.max_distance) continue;
+      if (!model.seenFromOutside(candidate.pose.camera_from_object)) continue;
       const auto sameAs = [&](const Candidate& c) {
         return c.object == object && model.poseDistance(camera_, c.pose.camera_from_object,
                                                         candidate.pose.camera_from_object) < 1.5;

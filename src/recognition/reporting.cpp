@@ -45,6 +45,9 @@ int matchedGroupings(const Candidate& candidate, const std::vector<Grouping>& gr
   return matched;
 }
 
+// Numbers for people: no "-0", no 7.7e-13.
+double rounded(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }
+
 std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
 
 std::string whatSpeaksAgainst(const EvidenceTerms& t) {
@@ -86,8 +89,9 @@ std::string describeSymmetry(const Symmetries& symmetries) {
   if (symmetries.sphere) return "every orientation looks the same";
   if (symmetries.axis) {
     const auto& a = *symmetries.axis;
-    text << "free about the axis (" << a.direction.x() << ", " << a.direction.y() << ", " << a.direction.z()
-         << ") through (" << a.point.x() << ", " << a.point.y() << ", " << a.point.z() << ") m";
+    text << "free about the axis (" << rounded(a.direction.x()) << ", " << rounded(a.direction.y()) << ", "
+         << rounded(a.direction.z()) << ") through (" << rounded(a.point.x()) << ", " << rounded(a.point.y())
+         << ", " << rounded(a.point.z()) << ") m";
     if (symmetries.discrete.size() > 1) text << ", ";
   }
   if (symmetries.discrete.size() > 1) text << symmetries.discrete.size() << " equal poses";

@@ -192,6 +192,14 @@ Rigid3 SearchModel::canonical(const Rigid3& pose, int* view) const {
   return result;
 }
 
+bool SearchModel::seenFromOutside(const Rigid3& pose) const {
+  const Eigen::Vector3d eye = -(pose.rotation.transpose() * pose.translation);
+  if (model().bounds.contains(eye)) return false;
+  const Eigen::RowVector3d depth = pose.rotation.row(2);
+  return std::all_of(model().mesh.vertices.begin(), model().mesh.vertices.end(),
+                     [&](const Eigen::Vector3d& p) { return depth.dot(p) + pose.translation.z() > 0; });
+}
+
 double SearchModel::poseDistance(const Camera& camera, const Rigid3& a, const Rigid3& b) const {
   const auto largest = [&](const Rigid3& other) {
     double worst = 0;
