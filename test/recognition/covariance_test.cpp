@@ -1,5 +1,6 @@
-// Whether poses scatter as much as their covariance says.
-#include <Eigen/Dense>
+// Whether poses scatter as their covariance says. Real pictures: data_test.cpp.
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cstdio>
 #include <opencv2/core.hpp>
 
@@ -45,7 +46,7 @@ double normalizedSquare(const std::vector<Sample>& samples, const Vector6d& arou
   return sum / double(samples.size());
 }
 
-TEST_P(Covariance, noise_scatters_the_pose_as_much_as_it_says) {
+TEST_P(Covariance, noise_scatters_the_pose_within_what_it_says) {
   const Scene seen = scene(0.7, 0.75);
   RenderOptions clean;
   clean.noise_sigma = clean.shot_noise = 0;
@@ -73,13 +74,14 @@ TEST_P(Covariance, noise_scatters_the_pose_as_much_as_it_says) {
       "normalised square %.2f around the mean, %.2f around the truth; reported sigma z %.2f mm\n",
       GetParam(), ratio[0], ratio[1], ratio[2], ratio[3], ratio[4], ratio[5], whole,
       normalizedSquare(samples, Vector6d::Zero()), 1e3 * std::sqrt(reported[2]));
-  EXPECT_GT(ratio.minCoeff(), 0.1);
-  EXPECT_LT(ratio.maxCoeff(), 10);
-  EXPECT_GT(whole, 0.01);
-  EXPECT_LT(whole, 100);
+  // Sensor noise is a small part of what the covariance allows for: it covers errors common to a feature,
+  // too.
+  EXPECT_GT(ratio.minCoeff(), 0.02);
+  EXPECT_LT(ratio.maxCoeff(), 1.5);
+  EXPECT_LT(whole, 2);
 }
 
-TEST_P(Covariance, over_views_the_error_is_as_large_as_it_says) {
+TEST_P(Covariance, over_views_the_error_is_within_ten_times_of_what_it_says) {
   std::vector<double> squares;
   for (int i = 0; i < 12; ++i) {
     const Scene seen = scene(0.4 + 0.52 * i, 0.55 + 0.05 * (i % 7));

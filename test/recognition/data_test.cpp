@@ -1,6 +1,9 @@
 // Data sets with ground truth, from the folder that MONOCULAR_EYE_HAND_DATA names.
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 
 #include "monocular_eye_hand/evaluation/dataset.h"
 #include "monocular_eye_hand/evaluation/scores.h"
@@ -27,6 +30,15 @@ Recognizer recognizerOf(const BopModels& models) {
   return {compileModelBase(entries, {}, cacheFolder())};
 }
 
+// Of a report that is the pose of this true object; the turn about a free axis is left out.
+void addSquare(const ObjectModel& model, const RecognizedObject& report, const Rigid3& truth,
+               std::vector<double>* squares) {
+  const Rigid3 near = nearestEqualPose(model, report.camera_from_object, truth);
+  const Vector6d error = difference(truth, near);
+  if (error.head<3>().norm() > 0.2 * model.diameter || error.tail<3>().norm() > 0.2) return;
+  squares->push_back(error.dot(report.covariance.ldlt().solve(error)) / (model.symmetries.axis ? 5 : 6));
+}
+
 TEST_P(DataSet, enough_is_found_and_what_is_reported_is_right) {
   const Share& share = GetParam();
   const char* root = std::getenv("MONOCULAR_EYE_HAND_DATA");
@@ -42,18 +54,30 @@ TEST_P(DataSet, enough_is_found_and_what_is_reported_is_right) {
   std::vector<int> ids;
   for (const auto& entry : models) ids.push_back(entry.first);
   std::vector<BopResult> rows;
+  std::vector<double> squares;  // errors in units of the covariance, per degree of freedom
   for (const BopImage& image : split.images) {
     const cv::Mat grey = loadBopImage(image);
     const RecognitionResult result = recognizer.recognize(grey, bopCamera(image, grey.cols, grey.rows));
-    for (const RecognizedObject& o : result.objects)
+    for (const RecognizedObject& o : result.objects) {
+      for (const GroundTruth& truth : image.truth)
+        if (truth.object == ids.at(size_t(o.object)))
+          addSquare(recognizer.models().objects[size_t(o.object)].model, o, truth.camera_from_object,
+                    &squares);
       rows.push_back({image.scene, image.id, ids.at(size_t(o.object)), o.probability, o.camera_from_object});
+    }
   }
   const auto summaries = summarize(split, models, rows, {});
   ASSERT_EQ(summaries.size(), 1u);
   ASSERT_GT(summaries[0].wanted, 0);
   EXPECT_GE(summaries[0].foundShare(), share.found) << summaryLine(summaries[0]);
   EXPECT_GE(summaries[0].rightShare(), share.right) << summaryLine(summaries[0]);
-  std::cout << share.name << ": " << summaryLine(summaries[0]) << "\n";
+  ASSERT_GE(squares.size(), 4u);
+  std::nth_element(squares.begin(), squares.begin() + squares.size() / 2, squares.end());
+  const double median = squares[squares.size() / 2];
+  std::cout << share.name << ": " << summaryLine(summaries[0]) << ", median normalised squared error "
+            << median << "\n";
+  EXPECT_GT(median, 0.9 / 100) << "covariances are ten times too wide";
+  EXPECT_LT(median, 0.9 * 100) << "covariances are ten times too narrow";
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, DataSet,

@@ -40,8 +40,10 @@ struct ModelEdge {
   std::array<int, 2> vertex{-1,
                             -1};  ///< ObjectModel::corners at p and q, -1 where no other straight edge ends
   std::array<int, 2> surface{-1, -1};
-  std::array<Eigen::Vector3d, 2> normal;  ///< outward normals of the two surfaces along the edge
-  double dihedral = 0;                    ///< angle between the normals [rad]
+  std::array<Eigen::Vector3d, 2> normal{
+      Eigen::Vector3d::Zero(),
+      Eigen::Vector3d::Zero()};  ///< outward normals of the two surfaces along the edge
+  double dihedral = 0;           ///< angle between the normals [rad]
   bool convex = true;
 };
 
