@@ -59,6 +59,6 @@ for file in "$prefix"/lib/monocular_eye_hand/* "$prefix"/lib/libmonocular_eye_ha
     die "$(basename "$file") does not find its libraries where it was installed"
   fi
 done
-for folder in launch config models rviz; do
-  [ -n "$(ls "$prefix/share/monocular_eye_hand/$folder")" ] || die "$folder/ was not installed"
+for installed in launch config models rviz; do
+  [ -n "$(ls "$prefix/share/monocular_eye_hand/$installed")" ] || die "$installed/ was not installed"
 done
