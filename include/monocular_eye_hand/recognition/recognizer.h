@@ -29,7 +29,7 @@ struct RecognizedObject {
   Rigid3 camera_from_object;
   Matrix6d covariance = Matrix6d::Zero();  ///< x, y, z, rotation about x, y, z; camera frame; m^2, rad^2
   double plausibility = 0;  ///< 0..1: back-projection error, matched groupings and their weights combined
-  double reliability = 0;   ///< 0..1: share of the pose's information that survives without its best feature
+  double reliability = 0;   ///< 0..1: matched feature weight, less unsupported and run-past features
   double probability = 0;   ///< calibrated probability that object and pose are right
   Decision decision = Decision::kRejected;
   std::vector<Alternative> alternatives;
