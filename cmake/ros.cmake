@@ -18,6 +18,13 @@ endif()
 
 set(missing "")
 if(MONOCULAR_EYE_HAND_ROS)
+  # catkin freezes the environment of the tests when it is found, without the folders that are not there yet: on a first
+  # configuration the tests would not find the python messages.
+  if(CATKIN_DEVEL_PREFIX)
+    file(MAKE_DIRECTORY ${CATKIN_DEVEL_PREFIX}/lib/python3/dist-packages)
+  else()
+    file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/devel/lib/python3/dist-packages)
+  endif()
   foreach(package catkin message_generation message_runtime ${MONOCULAR_EYE_HAND_ROS_PACKAGES})
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)  # looking further would end in the errors of packages that require this one
