@@ -8,13 +8,13 @@ namespace {
 uint8_t toDecision(Decision decision) {
   switch (decision) {
     case Decision::kAccepted:
-      return RecognizedObjectMsg::ACCEPTED;
+      return RecognizedObject::ACCEPTED;
     case Decision::kAmbiguous:
-      return RecognizedObjectMsg::AMBIGUOUS;
+      return RecognizedObject::AMBIGUOUS;
     case Decision::kRejected:
       break;
   }
-  return RecognizedObjectMsg::REJECTED;
+  return RecognizedObject::REJECTED;
 }
 
 // RegionOfInterest is unsigned: a box that begins outside the image begins at 0.
@@ -69,9 +69,9 @@ geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, cons
   return transform;
 }
 
-RecognizedObjectMsg toMessage(const std_msgs::Header& header, const RecognizedObject& object, int instance,
-                              const ModelBase& models) {
-  RecognizedObjectMsg message;
+RecognizedObject toMessage(const std_msgs::Header& header, const ObjectEstimate& object, int instance,
+                           const ModelBase& models) {
+  RecognizedObject message;
   message.header = header;
   message.name = object.name;
   message.instance = instance;

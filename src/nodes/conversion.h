@@ -2,13 +2,13 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/PoseWithCovariance.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <monocular_eye_hand/RecognizedObject.h>
 #include <std_msgs/Header.h>
 
 #include <string>
 
 #include "monocular_eye_hand/geometry/rigid3.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
-#include "nodes/messages.h"
 
 namespace monocular_eye_hand {
 
@@ -21,7 +21,7 @@ geometry_msgs::PoseWithCovariance toPose(const Rigid3& a_from_b, const Matrix6d&
 geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, const std::string& child,
                                             const Rigid3& a_from_b);
 /// `models`: for the names of the alternatives.
-RecognizedObjectMsg toMessage(const std_msgs::Header& header, const RecognizedObject& object, int instance,
-                              const ModelBase& models);
+RecognizedObject toMessage(const std_msgs::Header& header, const ObjectEstimate& object, int instance,
+                           const ModelBase& models);
 
 }  // namespace monocular_eye_hand

@@ -30,7 +30,7 @@ Instances::Instances(const ModelBase& models, const InstanceOptions& options) : 
     shapes_.push_back({known.model.centre(), known.model.diameter});
 }
 
-std::vector<int> Instances::assign(const std::vector<RecognizedObject>& objects, double stamp) {
+std::vector<int> Instances::assign(const std::vector<ObjectEstimate>& objects, double stamp) {
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(),
                                [&](const Track& track) { return !alive(track, stamp); }),
                 tracks_.end());
@@ -61,8 +61,8 @@ std::vector<int> Instances::assign(const std::vector<RecognizedObject>& objects,
   return numbers;
 }
 
-std::vector<RecognizedObject> Instances::previous(double stamp) const {
-  std::vector<RecognizedObject> objects;
+std::vector<ObjectEstimate> Instances::previous(double stamp) const {
+  std::vector<ObjectEstimate> objects;
   for (const Track& track : tracks_)
     if (alive(track, stamp)) objects.push_back(track.object);
   return objects;
@@ -72,7 +72,7 @@ bool Instances::alive(const Track& track, double stamp) const {
   return stamp >= track.stamp && stamp - track.stamp <= options_.forget_after;
 }
 
-double Instances::distance(const RecognizedObject& a, const RecognizedObject& b) const {
+double Instances::distance(const ObjectEstimate& a, const ObjectEstimate& b) const {
   const Eigen::Vector3d& centre = shapes_.at(size_t(a.object)).centre;
   return (a.camera_from_object * centre - b.camera_from_object * centre).norm();
 }

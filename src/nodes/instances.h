@@ -28,14 +28,14 @@ class Instances {
   /// Throws BadInput when an option is out of range.
   Instances(const ModelBase& models, const InstanceOptions& options);
   /// The number of each object, in the order given. `stamp`: of the image [s].
-  std::vector<int> assign(const std::vector<RecognizedObject>& objects, double stamp);
+  std::vector<int> assign(const std::vector<ObjectEstimate>& objects, double stamp);
   /// The objects as last seen, for RecognitionRequest::previous; those that an image at `stamp` would still
   /// know.
-  std::vector<RecognizedObject> previous(double stamp) const;
+  std::vector<ObjectEstimate> previous(double stamp) const;
 
  private:
   struct Track {
-    RecognizedObject object;
+    ObjectEstimate object;
     int number = 0;
     double stamp = 0;
   };
@@ -44,7 +44,7 @@ class Instances {
     double diameter;
   };
   bool alive(const Track& track, double stamp) const;
-  double distance(const RecognizedObject& a, const RecognizedObject& b) const;
+  double distance(const ObjectEstimate& a, const ObjectEstimate& b) const;
   int freeNumber(int object) const;
 
   InstanceOptions options_;

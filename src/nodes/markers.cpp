@@ -26,7 +26,7 @@ std_msgs::ColorRGBA toColour(const Colour& bgr, double alpha) {
 
 std::string labelSpace(const std::string& name) { return name + "/label"; }
 
-std::string labelText(const RecognizedObject& object, int instance) {
+std::string labelText(const ObjectEstimate& object, int instance) {
   char probability[16];
   std::snprintf(probability, sizeof probability, "%.2f", object.probability);
   std::string text = object.name + "_" + std::to_string(instance) + " " + probability;
@@ -48,7 +48,7 @@ MarkerBuilder::MarkerBuilder(const ModelBase& models, int most_triangles)
     : models_(models), most_triangles_(most_triangles) {}
 
 visualization_msgs::MarkerArray MarkerBuilder::build(const std_msgs::Header& header,
-                                                     const std::vector<RecognizedObject>& objects,
+                                                     const std::vector<ObjectEstimate>& objects,
                                                      const std::vector<int>& instances,
                                                      const std::string& only) {
   visualization_msgs::MarkerArray array;
@@ -73,7 +73,7 @@ visualization_msgs::MarkerArray MarkerBuilder::build(const std_msgs::Header& hea
   return array;
 }
 
-Marker MarkerBuilder::shape(const std_msgs::Header& header, const RecognizedObject& object) const {
+Marker MarkerBuilder::shape(const std_msgs::Header& header, const ObjectEstimate& object) const {
   const ObjectModel& model = models_.objects.at(size_t(object.object)).model;
   Marker marker;
   marker.header = header;
@@ -98,7 +98,7 @@ Marker MarkerBuilder::shape(const std_msgs::Header& header, const RecognizedObje
   return marker;
 }
 
-Marker MarkerBuilder::label(const std_msgs::Header& header, const RecognizedObject& object,
+Marker MarkerBuilder::label(const std_msgs::Header& header, const ObjectEstimate& object,
                             int instance) const {
   const ObjectModel& model = models_.objects.at(size_t(object.object)).model;
   Marker marker;

@@ -19,13 +19,13 @@ class MarkerBuilder {
   MarkerBuilder(const ModelBase& models, int most_triangles);
   /// `only`: the one name that was looked for; markers of other names stay as they are. "": all.
   visualization_msgs::MarkerArray build(const std_msgs::Header& header,
-                                        const std::vector<RecognizedObject>& objects,
+                                        const std::vector<ObjectEstimate>& objects,
                                         const std::vector<int>& instances, const std::string& only = "");
 
  private:
   using Key = std::pair<std::string, int>;  // name, instance
-  visualization_msgs::Marker shape(const std_msgs::Header& header, const RecognizedObject& object) const;
-  visualization_msgs::Marker label(const std_msgs::Header& header, const RecognizedObject& object,
+  visualization_msgs::Marker shape(const std_msgs::Header& header, const ObjectEstimate& object) const;
+  visualization_msgs::Marker label(const std_msgs::Header& header, const ObjectEstimate& object,
                                    int instance) const;
 
   const ModelBase& models_;

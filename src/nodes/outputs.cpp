@@ -26,17 +26,17 @@ bool Outputs::wanted() const {
          overlay_.getNumSubscribers() > 0;
 }
 
-std::vector<RecognizedObjectMsg> Outputs::number(const WorkedImage& image) {
-  const std::vector<RecognizedObject>& objects = image.result.objects;
+std::vector<RecognizedObject> Outputs::number(const WorkedImage& image) {
+  const std::vector<ObjectEstimate>& objects = image.result.objects;
   const std::vector<int> numbers = instances_.assign(objects, image.header.stamp.toSec());
-  std::vector<RecognizedObjectMsg> messages;
+  std::vector<RecognizedObject> messages;
   for (size_t i = 0; i < objects.size(); ++i)
     messages.push_back(toMessage(image.header, objects[i], numbers[i], models_));
   return messages;
 }
 
-std::vector<RecognizedObjectMsg> Outputs::publish(const WorkedImage& image) {
-  const std::vector<RecognizedObject>& objects = image.result.objects;
+std::vector<RecognizedObject> Outputs::publish(const WorkedImage& image) {
+  const std::vector<ObjectEstimate>& objects = image.result.objects;
   RecognizedObjectArray array;
   array.header = image.header;
   array.objects = number(image);
@@ -44,7 +44,7 @@ std::vector<RecognizedObjectMsg> Outputs::publish(const WorkedImage& image) {
   array.truncated = image.result.truncated;
   array.seconds = image.seconds;
   std::vector<int> numbers;
-  for (const RecognizedObjectMsg& object : array.objects) numbers.push_back(object.instance);
+  for (const RecognizedObject& object : array.objects) numbers.push_back(object.instance);
 
   publishFrames(image.header, objects, numbers);  // before the message that names them
   objects_.publish(array);
@@ -54,7 +54,7 @@ std::vector<RecognizedObjectMsg> Outputs::publish(const WorkedImage& image) {
   return array.objects;
 }
 
-void Outputs::publishFrames(const std_msgs::Header& header, const std::vector<RecognizedObject>& objects,
+void Outputs::publishFrames(const std_msgs::Header& header, const std::vector<ObjectEstimate>& objects,
                             const std::vector<int>& numbers) {
   std::vector<geometry_msgs::TransformStamped> transforms;
   for (size_t i = 0; i < objects.size(); ++i)

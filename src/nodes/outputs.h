@@ -1,5 +1,6 @@
 #pragma once
 #include <image_transport/image_transport.h>
+#include <monocular_eye_hand/RecognizedObjectArray.h>
 #include <ros/ros.h>
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -11,7 +12,6 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "nodes/instances.h"
 #include "nodes/markers.h"
-#include "nodes/messages.h"
 #include "nodes/recognizer_parameters.h"
 
 namespace monocular_eye_hand {
@@ -34,14 +34,14 @@ class Outputs {
   /// Someone listens to ~objects, ~markers or ~overlay (of tf nobody can tell).
   bool wanted() const;
   /// Numbers the instances and returns the objects as messages, unpublished.
-  std::vector<RecognizedObjectMsg> number(const WorkedImage& image);
+  std::vector<RecognizedObject> number(const WorkedImage& image);
   /// Numbers the instances, publishes everything, and returns the objects as published.
-  std::vector<RecognizedObjectMsg> publish(const WorkedImage& image);
+  std::vector<RecognizedObject> publish(const WorkedImage& image);
   /// Objects seen lately, for the next image at `stamp` [s].
-  std::vector<RecognizedObject> previous(double stamp) const { return instances_.previous(stamp); }
+  std::vector<ObjectEstimate> previous(double stamp) const { return instances_.previous(stamp); }
 
  private:
-  void publishFrames(const std_msgs::Header& header, const std::vector<RecognizedObject>& objects,
+  void publishFrames(const std_msgs::Header& header, const std::vector<ObjectEstimate>& objects,
                      const std::vector<int>& numbers);
   void publishOverlay(const WorkedImage& image, const std::vector<int>& numbers);
 

@@ -25,13 +25,13 @@ Recognize::Response reply(uint8_t status, const std::string& text) {
   return response;
 }
 
-std::string foundText(const std::vector<RecognizedObjectMsg>& objects) {
+std::string foundText(const std::vector<RecognizedObject>& objects) {
   std::string text = "found ";
   for (size_t i = 0; i < objects.size(); ++i) {
     char probability[16];
     std::snprintf(probability, sizeof probability, "%.2f", objects[i].probability);
     text += (i ? ", " : "") + objects[i].name + "_" + std::to_string(objects[i].instance) + " (probability " +
-            probability + (objects[i].decision == RecognizedObjectMsg::AMBIGUOUS ? ", ambiguous)" : ")");
+            probability + (objects[i].decision == RecognizedObject::AMBIGUOUS ? ", ambiguous)" : ")");
   }
   return text;
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <monocular_eye_hand/Recognize.h>
+#include <monocular_eye_hand/RecognizedObject.h>
 #include <condition_variable>
 #include <cstdint>
 #include <list>
@@ -6,8 +8,6 @@
 #include <mutex>
 #include <string>
 #include <vector>
-
-#include "nodes/messages.h"
 
 namespace monocular_eye_hand {
 

@@ -250,7 +250,7 @@ void ImageSearch::refineInFull() {
     const FeatureSet features = detectFeatures(image_, full_camera_, options_.features);
     const RectDomain domain = rectDomain(full_camera_);
     const EdgeRaster raster(features, domain);
-    for (RecognizedObject& object : result_.objects) {
+    for (ObjectEstimate& object : result_.objects) {
       const RefinedPose refined =
           alignFinely(models_[object.object], full_camera_, domain, raster, object.camera_from_object,
                       {1.5 * scale, scale, 1.5}, kFineStep * scale);
@@ -274,7 +274,7 @@ bool ImageSearch::found() const {
   return false;
 }
 
-RecognitionResult ImageSearch::run(const std::vector<RecognizedObject>& previous) {
+RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) {
   lookAtImage();
   for (const SearchModel& model : models_) pools_.emplace_back(camera_, model, options_);
   searchGroupings();
@@ -284,9 +284,9 @@ RecognitionResult ImageSearch::run(const std::vector<RecognizedObject>& previous
 
   timed("decision", [&](StageReport* report) {
     for (const Explanation& e : chooseExplanations(candidates_)) {
-      RecognizedObject object =
+      ObjectEstimate object =
           reportObject(models_, candidates_, e, options_, camera_, result_.groupings, result_.features);
-      for (const RecognizedObject& old : previous)
+      for (const ObjectEstimate& old : previous)
         if (old.object == object.object &&
             (old.camera_from_object.translation - object.camera_from_object.translation).norm() <
                 models_[object.object].model().diameter) {
@@ -297,7 +297,7 @@ RecognitionResult ImageSearch::run(const std::vector<RecognizedObject>& previous
       (object.decision == Decision::kRejected ? result_.rejected : result_.objects)
           .push_back(std::move(object));
     }
-    const auto likelier = [](const RecognizedObject& a, const RecognizedObject& b) {
+    const auto likelier = [](const ObjectEstimate& a, const ObjectEstimate& b) {
       return a.probability > b.probability;
     };
     std::stable_sort(result_.objects.begin(), result_.objects.end(), likelier);

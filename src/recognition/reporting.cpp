@@ -98,13 +98,13 @@ std::string describeSymmetry(const Symmetries& symmetries) {
   return text.str();
 }
 
-RecognizedObject reportObject(const std::vector<SearchModel>& models,
-                              const std::vector<Candidate>& candidates, const Explanation& explanation,
-                              const RecognitionOptions& options, const Camera& camera,
-                              const std::vector<Grouping>& groupings, const FeatureSet& features) {
+ObjectEstimate reportObject(const std::vector<SearchModel>& models, const std::vector<Candidate>& candidates,
+                            const Explanation& explanation, const RecognitionOptions& options,
+                            const Camera& camera, const std::vector<Grouping>& groupings,
+                            const FeatureSet& features) {
   const Candidate& best = candidates[explanation.candidate];
   const SearchModel& model = models[best.object];
-  RecognizedObject object;
+  ObjectEstimate object;
   object.object = best.object;
   object.name = model.model().name;
   object.camera_from_object = best.pose.camera_from_object;

@@ -65,7 +65,7 @@ std::string poseText(const Rigid3& camera_from_object) {
 }
 
 // Standard deviations of the position and, the free axis aside, of the rotation.
-std::string accuracyText(const RecognizedObject& object) {
+std::string accuracyText(const ObjectEstimate& object) {
   const auto sigma = [&](int k) { return std::sqrt(std::max(0.0, object.covariance(k, k))); };
   std::string text = shortNumber(1000 * sigma(0)) + ", " + shortNumber(1000 * sigma(1)) + ", " +
                      shortNumber(1000 * sigma(2)) + " mm";
@@ -121,7 +121,7 @@ class PageWriter {
            "Accepted green, ambiguous amber; axes x red, y green, z blue", true);
     if (result_.objects.empty()) return;
     std::vector<HtmlPage::Row> rows;
-    for (const RecognizedObject& object : result_.objects)
+    for (const ObjectEstimate& object : result_.objects)
       rows.push_back(
           {object.name, decisionText(object.decision), shortNumber(object.probability),
            shortNumber(object.plausibility), shortNumber(object.reliability),
@@ -185,7 +185,7 @@ class PageWriter {
     page_.endGrid();
   }
 
-  void candidate(const RecognizedObject& object, const std::string& file) {
+  void candidate(const ObjectEstimate& object, const std::string& file) {
     picture(file, drawCandidate(grey_, camera_, models_, object));
     HtmlPage::Card card;
     card.picture = file;

@@ -8,7 +8,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-const ObjectModel& modelOf(const ModelBase& models, const RecognizedObject& object) {
+const ObjectModel& modelOf(const ModelBase& models, const ObjectEstimate& object) {
   if (object.object < 0 || object.object >= int(models.objects.size()))
     throw BadInput("drawing: '" + object.name + "' is object " + std::to_string(object.object) +
                    " of a model base with " + std::to_string(models.objects.size()) +
@@ -16,7 +16,7 @@ const ObjectModel& modelOf(const ModelBase& models, const RecognizedObject& obje
   return models.objects[object.object].model;
 }
 
-ObjectStyle styleOf(const RecognizedObject& object) {
+ObjectStyle styleOf(const ObjectEstimate& object) {
   ObjectStyle style;
   style.colour = decisionColour(object.decision);
   style.axes = object.decision != Decision::kRejected;
@@ -24,13 +24,13 @@ ObjectStyle styleOf(const RecognizedObject& object) {
   return style;
 }
 
-void drawLines(Canvas* canvas, const ModelBase& models, const RecognizedObject& object) {
+void drawLines(Canvas* canvas, const ModelBase& models, const ObjectEstimate& object) {
   ObjectStyle style = styleOf(object);
   style.label.clear();
   drawObject(canvas, modelOf(models, object), object.camera_from_object, style);
 }
 
-void drawLabel(Canvas* canvas, const ModelBase& models, const RecognizedObject& object) {
+void drawLabel(Canvas* canvas, const ModelBase& models, const ObjectEstimate& object) {
   drawObjectLabel(canvas, modelOf(models, object), object.camera_from_object, styleOf(object));
 }
 
@@ -48,7 +48,7 @@ Colour decisionColour(Decision decision) {
   return {90, 90, 250};
 }
 
-std::string objectLabel(const RecognizedObject& object) {
+std::string objectLabel(const ObjectEstimate& object) {
   char number[32];
   std::snprintf(number, sizeof(number), " %.2f", object.probability);
   return object.name + number;
@@ -57,19 +57,19 @@ std::string objectLabel(const RecognizedObject& object) {
 cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
                    const RecognitionResult& result, bool with_rejected) {
   Canvas canvas(grey, camera, 0.85);
-  std::vector<const RecognizedObject*> shown;  // best last: on top
+  std::vector<const ObjectEstimate*> shown;  // best last: on top
   if (with_rejected)
-    for (const RecognizedObject& object : result.rejected) shown.push_back(&object);
+    for (const ObjectEstimate& object : result.rejected) shown.push_back(&object);
   std::reverse(shown.begin(), shown.end());
   for (size_t k = result.objects.size(); k-- > 0;) shown.push_back(&result.objects[k]);
-  for (const RecognizedObject* object : shown) drawLines(&canvas, models, *object);
-  for (const RecognizedObject* object : shown) drawLabel(&canvas, models, *object);
+  for (const ObjectEstimate* object : shown) drawLines(&canvas, models, *object);
+  for (const ObjectEstimate* object : shown) drawLabel(&canvas, models, *object);
   if (result.objects.empty()) canvas.caption(result.reason.empty() ? "nothing found" : result.reason);
   return canvas.picture();
 }
 
 cv::Mat drawCandidate(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
-                      const RecognizedObject& candidate) {
+                      const ObjectEstimate& candidate) {
   Canvas canvas(grey, camera, 0.8);
   drawObject(&canvas, modelOf(models, candidate), candidate.camera_from_object, styleOf(candidate));
   return canvas.picture();
@@ -78,7 +78,7 @@ cv::Mat drawCandidate(const cv::Mat& grey, const Camera& camera, const ModelBase
 std::vector<cv::Mat> drawBackProjections(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
                                          const RecognitionResult& result) {
   std::vector<cv::Mat> pictures;
-  for (const RecognizedObject& object : result.objects)
+  for (const ObjectEstimate& object : result.objects)
     pictures.push_back(drawCandidate(grey, camera, models, object));
   return pictures;
 }

@@ -7,7 +7,7 @@
 
 namespace monocular_eye_hand {
 
-void CandidateDump::add(const BopImage& image, const RecognizedObject& candidate, int bop_object) {
+void CandidateDump::add(const BopImage& image, const ObjectEstimate& candidate, int bop_object) {
   Row row;
   row.scene = image.scene, row.image = image.id, row.bop_object = bop_object;
   row.candidate = candidate;
@@ -31,7 +31,7 @@ void CandidateDump::write(const std::string& path) const {
   for (const std::string& term : terms) file << ',' << term;
   file << '\n';
   for (const Row& row : rows_) {
-    const RecognizedObject& c = row.candidate;
+    const ObjectEstimate& c = row.candidate;
     file << row.scene << ',' << row.image << ',' << row.bop_object << ',' << c.name << ',' << name(c.decision)
          << ',' << c.probability << ',' << c.plausibility << ',' << c.reliability << ',';
     if (row.truth >= 0)

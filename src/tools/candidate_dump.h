@@ -13,7 +13,7 @@ namespace monocular_eye_hand {
 class CandidateDump {
  public:
   explicit CandidateDump(const BopModels& models) : meter_(models, 0.05) {}
-  void add(const BopImage& image, const RecognizedObject& candidate, int bop_object);
+  void add(const BopImage& image, const ObjectEstimate& candidate, int bop_object);
   /// CSV: one line per candidate, the evidence terms as columns in alphabetical order, empty where a
   /// candidate lacks one. gt_id, mspd_px, mssd_d and visib belong to the nearest (MSPD) truth of the same
   /// object, empty without one.
@@ -22,7 +22,7 @@ class CandidateDump {
  private:
   struct Row {
     int scene = 0, image = 0, bop_object = 0;
-    RecognizedObject candidate;
+    ObjectEstimate candidate;
     int truth = -1;
     PoseErrors errors;
     double visible = 0;

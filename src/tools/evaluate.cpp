@@ -74,9 +74,9 @@ struct Run {
 };
 
 // What the node would publish of one image, as BOP results: one row per object, by its best pose.
-void addRows(const std::vector<RecognizedObject>& objects, const std::vector<int>& ids, const BopImage& image,
+void addRows(const std::vector<ObjectEstimate>& objects, const std::vector<int>& ids, const BopImage& image,
              double seconds, std::vector<BopResult>* rows) {
-  for (const RecognizedObject& object : objects)
+  for (const ObjectEstimate& object : objects)
     rows->push_back({image.scene, image.id, ids.at(size_t(object.object)), object.probability,
                      object.camera_from_object, seconds});
 }
@@ -97,7 +97,7 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
     if (args.all) addRows(result.rejected, ids, image, seconds, &run.results);
     if (dump)
       for (const auto* candidates : {&result.objects, &result.rejected})
-        for (const RecognizedObject& candidate : *candidates)
+        for (const ObjectEstimate& candidate : *candidates)
           dump->add(image, candidate, ids.at(size_t(candidate.object)));
     char text[100];
     std::snprintf(text, sizeof text, "scene %d image %d: %zu objects in %.3f s", image.scene, image.id,

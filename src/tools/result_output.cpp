@@ -17,7 +17,7 @@ Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& r) {
   return {std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0))};
 }
 
-std::string objectLine(const RecognizedObject& object, size_t name_width) {
+std::string objectLine(const ObjectEstimate& object, size_t name_width) {
   const Eigen::Vector3d t = object.camera_from_object.translation * 1e3;
   const Eigen::Vector3d rpy = rollPitchYaw(object.camera_from_object.rotation) * (180 / M_PI);
   char text[256];
@@ -39,7 +39,7 @@ Json poseJson(const Rigid3& pose) {
   return {{"translation", list(pose.translation.data(), 3)}, {"quaternion", list(xyzw, 4)}};
 }
 
-Json objectJson(const RecognizedObject& object, const ModelBase& models) {
+Json objectJson(const ObjectEstimate& object, const ModelBase& models) {
   const Eigen::Matrix<double, 6, 6, Eigen::RowMajor> covariance = object.covariance;
   Json out;
   out["name"] = object.name;
@@ -79,10 +79,10 @@ std::string table(const ImageReport& report) {
   std::string text = report.image + head;
   if (objects.empty()) return text + "  nothing found: " + report.result.reason + "\n";
   size_t width = 4;
-  for (const RecognizedObject& object : objects) width = std::max(width, object.name.size());
+  for (const ObjectEstimate& object : objects) width = std::max(width, object.name.size());
   text += "  name" + std::string(width - 4, ' ') +
           "   x [mm]   y [mm]   z [mm]  roll[deg]  pitch     yaw  probability  decision\n";
-  for (const RecognizedObject& object : objects) text += objectLine(object, width);
+  for (const ObjectEstimate& object : objects) text += objectLine(object, width);
   return text;
 }
 
@@ -100,7 +100,7 @@ Json toJson(const ImageReport& report, const ModelBase& models) {
   for (const auto& [key, objects] :
        {std::make_pair("objects", &result.objects), std::make_pair("rejected", &result.rejected)}) {
     out[key] = Json::array();
-    for (const RecognizedObject& object : *objects) out[key].push_back(objectJson(object, models));
+    for (const ObjectEstimate& object : *objects) out[key].push_back(objectJson(object, models));
   }
   out["stages"] = Json::array();
   for (const StageReport& stage : result.stages)

@@ -97,7 +97,7 @@ TEST(Conversion, CovarianceOrderAndAxes) {
 }
 
 TEST(Conversion, MessageCarriesEveryField) {
-  RecognizedObject object;
+  ObjectEstimate object;
   object.object = 0;
   object.name = "bridge";
   object.camera_from_object = somePose();
@@ -112,7 +112,7 @@ TEST(Conversion, MessageCarriesEveryField) {
   object.reason = "why";
   std_msgs::Header header;
   header.frame_id = "camera";
-  const RecognizedObjectMsg message = toMessage(header, object, 3, oneObject());
+  const RecognizedObject message = toMessage(header, object, 3, oneObject());
   EXPECT_EQ(message.header.frame_id, "camera");
   EXPECT_EQ(message.name, "bridge");
   EXPECT_EQ(message.instance, 3);
@@ -121,7 +121,7 @@ TEST(Conversion, MessageCarriesEveryField) {
   EXPECT_EQ(message.plausibility, 0.1);
   EXPECT_EQ(message.reliability, 0.2);
   EXPECT_EQ(message.probability, 0.3);
-  EXPECT_EQ(message.decision, RecognizedObjectMsg::AMBIGUOUS);
+  EXPECT_EQ(message.decision, RecognizedObject::AMBIGUOUS);
   ASSERT_EQ(message.alternatives.size(), 1u);
   EXPECT_EQ(message.alternatives[0].name, "frame");
   EXPECT_EQ(message.alternatives[0].probability, 0.25);
@@ -137,15 +137,15 @@ TEST(Conversion, MessageCarriesEveryField) {
 }
 
 TEST(Conversion, DecisionsKeepTheirMeaning) {
-  RecognizedObject object;
+  ObjectEstimate object;
   object.object = 0;
   const auto decision = [&](Decision value) {
     object.decision = value;
     return toMessage(std_msgs::Header(), object, 0, oneObject()).decision;
   };
-  EXPECT_EQ(decision(Decision::kAccepted), RecognizedObjectMsg::ACCEPTED);
-  EXPECT_EQ(decision(Decision::kAmbiguous), RecognizedObjectMsg::AMBIGUOUS);
-  EXPECT_EQ(decision(Decision::kRejected), RecognizedObjectMsg::REJECTED);
+  EXPECT_EQ(decision(Decision::kAccepted), RecognizedObject::ACCEPTED);
+  EXPECT_EQ(decision(Decision::kAmbiguous), RecognizedObject::AMBIGUOUS);
+  EXPECT_EQ(decision(Decision::kRejected), RecognizedObject::REJECTED);
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ ModelBase twoObjects() {
   return models;
 }
 
-RecognizedObject at(double x, int object = 0) {
-  RecognizedObject seen;
+ObjectEstimate at(double x, int object = 0) {
+  ObjectEstimate seen;
   seen.object = object;
   seen.name = object == 0 ? "bridge" : "cube";
   seen.camera_from_object.translation = {x, 0, 1};
@@ -78,7 +78,7 @@ TEST(Instances, CentresAreCompared) {
   InstanceOptions options;
   options.speed = 0;
   Instances instances(twoObjects(), options);
-  RecognizedObject cube = at(0, 1);
+  ObjectEstimate cube = at(0, 1);
   instances.assign({cube}, 1);
   const Eigen::Vector3d centre = cube.camera_from_object * Eigen::Vector3d(0.05, 0.05, 0.05);
   cube.camera_from_object.rotation = expSO3({0, 0, M_PI});

@@ -26,8 +26,8 @@ ModelBase twoObjects() {
   return models;
 }
 
-RecognizedObject seen(int object, Decision decision = Decision::kAccepted) {
-  RecognizedObject result;
+ObjectEstimate seen(int object, Decision decision = Decision::kAccepted) {
+  ObjectEstimate result;
   result.object = object;
   result.name = object == 0 ? "bridge" : "frame";
   result.decision = decision;

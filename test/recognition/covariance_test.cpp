@@ -25,7 +25,7 @@ class Covariance : public testing::TestWithParam<const char*> {
   std::vector<Sample> look(const cv::Mat& grey, const Rigid3& truth) const {
     const RecognitionResult result = recognizer_.recognize(grey, testCamera());
     std::vector<Sample> samples;
-    for (const RecognizedObject& o : result.objects) {
+    for (const ObjectEstimate& o : result.objects) {
       const Rigid3 pose = nearestEqualPose(model(), o.camera_from_object, truth);
       if (poseError(model(), testCamera(), pose, truth).image < 5)
         samples.push_back({difference(truth, pose), o.covariance});

@@ -31,7 +31,7 @@ Recognizer recognizerOf(const BopModels& models) {
 }
 
 // Of a report that is the pose of this true object; the turn about a free axis is left out.
-void addSquare(const ObjectModel& model, const RecognizedObject& report, const Rigid3& truth,
+void addSquare(const ObjectModel& model, const ObjectEstimate& report, const Rigid3& truth,
                std::vector<double>* squares) {
   const Rigid3 near = nearestEqualPose(model, report.camera_from_object, truth);
   const Vector6d error = difference(truth, near);
@@ -58,7 +58,7 @@ TEST_P(DataSet, enough_is_found_and_what_is_reported_is_right) {
   for (const BopImage& image : split.images) {
     const cv::Mat grey = loadBopImage(image);
     const RecognitionResult result = recognizer.recognize(grey, bopCamera(image, grey.cols, grey.rows));
-    for (const RecognizedObject& o : result.objects) {
+    for (const ObjectEstimate& o : result.objects) {
       for (const GroundTruth& truth : image.truth)
         if (truth.object == ids.at(size_t(o.object)))
           addSquare(recognizer.models().objects[size_t(o.object)].model, o, truth.camera_from_object,

@@ -11,13 +11,13 @@ constexpr double kSurfaceError = 0.03;             // share of the diameter
 constexpr double kRotationError = 2 * M_PI / 180;  // [rad]
 
 // Whether a report is the pose of this true object.
-bool isPoseOf(const RecognizedObject& report, const TruthObject& truth, const Camera& camera) {
+bool isPoseOf(const ObjectEstimate& report, const TruthObject& truth, const Camera& camera) {
   return report.name == truth.name &&
          poseError(shippedModel(truth.name), camera, report.camera_from_object, truth.camera_from_object)
                  .image < 10;
 }
 
-void expectExact(const RecognizedObject& report, const TruthObject& truth, const Camera& camera) {
+void expectExact(const ObjectEstimate& report, const TruthObject& truth, const Camera& camera) {
   const PoseError error =
       poseError(shippedModel(truth.name), camera, report.camera_from_object, truth.camera_from_object);
   EXPECT_LT(error.image, kImageError) << truth.name;
@@ -26,7 +26,7 @@ void expectExact(const RecognizedObject& report, const TruthObject& truth, const
   EXPECT_LT(error.translation, 0.02 * truth.camera_from_object.translation.norm()) << truth.name;
 }
 
-void expectWellFormed(const RecognizedObject& o) {
+void expectWellFormed(const ObjectEstimate& o) {
   EXPECT_EQ(o.name, shippedModels().objects.at(size_t(o.object)).model.name);
   for (double share : {o.probability, o.plausibility, o.reliability}) {
     EXPECT_GE(share, 0);
@@ -56,7 +56,7 @@ TEST_P(ShippedPicture, shows_each_well_seen_object_exactly_once_and_nothing_else
   EXPECT_FALSE(result.truncated);
   for (const TruthObject& truth : picture.truth) {
     int reports = 0;
-    for (const RecognizedObject& o : result.objects)
+    for (const ObjectEstimate& o : result.objects)
       if (isPoseOf(o, truth, picture.camera)) {
         ++reports;
         expectExact(o, truth, picture.camera);
@@ -66,7 +66,7 @@ TEST_P(ShippedPicture, shows_each_well_seen_object_exactly_once_and_nothing_else
     if (truth.visible_fraction < GetParam().visible) continue;
     EXPECT_EQ(reports, 1) << truth.name << ", visible " << truth.visible_fraction << ":\n" << listed(result);
   }
-  for (const RecognizedObject& o : result.objects) {
+  for (const ObjectEstimate& o : result.objects) {
     EXPECT_NE(o.decision, Decision::kRejected);
     EXPECT_GE(o.probability, shippedRecognizer().options().accept_probability);
     expectWellFormed(o);
@@ -74,7 +74,7 @@ TEST_P(ShippedPicture, shows_each_well_seen_object_exactly_once_and_nothing_else
     for (const TruthObject& truth : picture.truth) real |= isPoseOf(o, truth, picture.camera);
     EXPECT_TRUE(real) << o.name << " is not there:\n" << listed(result);
   }
-  for (const RecognizedObject& o : result.rejected) {
+  for (const ObjectEstimate& o : result.rejected) {
     EXPECT_EQ(o.decision, Decision::kRejected);
     EXPECT_FALSE(o.reason.empty());
   }
@@ -163,7 +163,7 @@ TEST(DoubleSize, the_same_objects_at_the_same_poses) {
     EXPECT_EQ(result.objects.size(), picture.truth.size()) << name << ":\n" << listed(result);
     for (const TruthObject& truth : picture.truth) {
       int reports = 0;
-      for (const RecognizedObject& o : result.objects) {
+      for (const ObjectEstimate& o : result.objects) {
         const PoseError error =
             poseError(shippedModel(truth.name), camera, o.camera_from_object, truth.camera_from_object);
         if (o.name != truth.name || error.image > 20) continue;

@@ -73,8 +73,8 @@ TEST(Only, the_wanted_object_is_found_and_no_other_reported) {
     const RecognitionResult result =
         shippedRecognizer().recognize(picture.grey, picture.camera, onlyFor(name));
     ASSERT_FALSE(result.objects.empty()) << name << ": " << result.reason;
-    for (const RecognizedObject& o : result.objects) EXPECT_EQ(o.name, name);
-    for (const RecognizedObject& o : result.rejected) EXPECT_EQ(o.name, name);
+    for (const ObjectEstimate& o : result.objects) EXPECT_EQ(o.name, name);
+    for (const ObjectEstimate& o : result.rejected) EXPECT_EQ(o.name, name);
     double nearest = 1e9;
     for (const TruthObject& truth : picture.truth)
       if (truth.name == name)
@@ -200,7 +200,7 @@ TEST(Options, distances_and_sizes_that_are_not_considered_are_not_found) {
   const Picture picture = shippedPicture("golden/grenade");  // stands at 0.45 m
   RecognitionOptions far;
   far.min_distance = 0.7, far.max_distance = 2;
-  for (const RecognizedObject& o : recognizerWith(far).recognize(picture.grey, picture.camera).objects)
+  for (const ObjectEstimate& o : recognizerWith(far).recognize(picture.grey, picture.camera).objects)
     EXPECT_GE(o.camera_from_object.translation.norm(), 0.6);
   RecognitionOptions strict;
   strict.accept_probability = 0.99999;

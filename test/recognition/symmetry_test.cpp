@@ -13,7 +13,7 @@ Rigid3 turnedAboutZ(double angle, const Eigen::Vector3d& point = Eigen::Vector3d
   return turn;
 }
 
-RecognizedObject theOnly(const std::string& picture_name, const RecognitionRequest& request = {}) {
+ObjectEstimate theOnly(const std::string& picture_name, const RecognitionRequest& request = {}) {
   const Picture picture = shippedPicture("golden/" + picture_name);
   const RecognitionResult result = shippedRecognizer().recognize(picture.grey, picture.camera, request);
   EXPECT_EQ(result.objects.size(), 1u) << listed(result);
@@ -24,7 +24,7 @@ RecognizedObject theOnly(const std::string& picture_name, const RecognitionReque
 
 TEST(EqualPoses, each_object_is_reported_once_and_says_how_many_poses_are_equal) {
   for (const auto& [name, count] : {std::pair{"bridge", 2}, {"frame", 4}}) {
-    const RecognizedObject object = theOnly(name);
+    const ObjectEstimate object = theOnly(name);
     EXPECT_THAT(object.symmetry, HasSubstr(std::to_string(count) + " equal poses"));
     EXPECT_FALSE(object.free_axis);
     EXPECT_EQ(object.decision, Decision::kAccepted) << "an equal pose is no alternative: " << object.reason;
@@ -41,7 +41,7 @@ TEST(EqualPoses, each_object_is_reported_once_and_says_how_many_poses_are_equal)
 
 TEST(EqualPoses, of_the_equal_ones_the_one_nearest_to_the_last_frame_is_reported) {
   for (const char* name : {"bridge", "frame"}) {
-    const RecognizedObject first = theOnly(name);
+    const ObjectEstimate first = theOnly(name);
     for (const Rigid3& s : shippedModel(name).symmetries.discrete) {
       RecognitionRequest request;
       request.previous = {first};
@@ -57,7 +57,7 @@ TEST(EqualPoses, of_the_equal_ones_the_one_nearest_to_the_last_frame_is_reported
 }
 
 TEST(EqualPoses, another_object_or_one_far_away_does_not_choose) {
-  const RecognizedObject first = theOnly("bridge");
+  const ObjectEstimate first = theOnly("bridge");
   const Rigid3 other_way = first.camera_from_object * shippedModel("bridge").symmetries.discrete[1];
   RecognitionRequest request;
   request.previous = {first};
@@ -70,7 +70,7 @@ TEST(EqualPoses, another_object_or_one_far_away_does_not_choose) {
 }
 
 TEST(FreeAxis, is_named_and_its_angle_is_unknown) {
-  const RecognizedObject flange = theOnly("flange");
+  const ObjectEstimate flange = theOnly("flange");
   EXPECT_TRUE(flange.free_axis);
   EXPECT_THAT(flange.symmetry, HasSubstr("free about the axis"));
   const SymmetryAxis& axis = shippedModel("flange").symmetries.axis.value();
@@ -83,7 +83,7 @@ TEST(FreeAxis, is_named_and_its_angle_is_unknown) {
 }
 
 TEST(FreeAxis, the_angle_of_the_last_frame_is_kept) {
-  const RecognizedObject first = theOnly("flange");
+  const ObjectEstimate first = theOnly("flange");
   const SymmetryAxis& axis = shippedModel("flange").symmetries.axis.value();
   for (double angle : {0.5, 2.0, -1.3, 3.1}) {
     RecognitionRequest request;

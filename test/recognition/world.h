@@ -87,7 +87,7 @@ inline PoseError poseError(const ObjectModel& model, const Camera& camera, const
 
 inline std::string listed(const RecognitionResult& result) {
   std::string text;
-  for (const RecognizedObject& o : result.objects) {
+  for (const ObjectEstimate& o : result.objects) {
     const Eigen::Vector3d& t = o.camera_from_object.translation;
     text += "  " + o.name + " at (" + std::to_string(t.x()) + ", " + std::to_string(t.y()) + ", " +
             std::to_string(t.z()) + "), probability " + std::to_string(o.probability) + ", " + o.reason +

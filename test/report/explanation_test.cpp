@@ -34,8 +34,8 @@ ModelBase boxBase(const std::string& name) {
   return models;
 }
 
-RecognizedObject candidate(double x, Decision decision, const std::string& reason) {
-  RecognizedObject object;
+ObjectEstimate candidate(double x, Decision decision, const std::string& reason) {
+  ObjectEstimate object;
   object.object = 0;
   object.name = "box";
   object.camera_from_object = {expSO3({1.9, 0.25, -0.3}), {x, 0.02, 0.5}};

@@ -16,7 +16,7 @@ class ImageSearch {
   /// `only`: index of the one object wanted, or -1.
   ImageSearch(const ModelBase& base, const std::vector<SearchModel>& models,
               const RecognitionOptions& options, const cv::Mat& grey, const Camera& camera, int only);
-  RecognitionResult run(const std::vector<RecognizedObject>& previous);
+  RecognitionResult run(const std::vector<ObjectEstimate>& previous);
 
  private:
   bool wanted(int object) const { return only_ < 0 || only_ == object; }

@@ -23,7 +23,7 @@ struct Alternative {
 };
 
 /// The narrow waist: an object, its pose, its covariance, and the evidence.
-struct RecognizedObject {
+struct ObjectEstimate {
   int object = -1;  ///< ModelBase::objects
   std::string name;
   Rigid3 camera_from_object;
@@ -52,10 +52,10 @@ struct StageReport {
 };
 
 struct RecognitionResult {
-  std::vector<RecognizedObject> objects;   ///< accepted and ambiguous, best first
-  std::vector<RecognizedObject> rejected;  ///< candidates that were judged and rejected, best first
-  std::string reason;                      ///< when nothing is found: why
-  bool truncated = false;                  ///< a wall-clock cut ended the search early
+  std::vector<ObjectEstimate> objects;   ///< accepted and ambiguous, best first
+  std::vector<ObjectEstimate> rejected;  ///< candidates that were judged and rejected, best first
+  std::string reason;                    ///< when nothing is found: why
+  bool truncated = false;                ///< a wall-clock cut ended the search early
   std::vector<StageReport> stages;
   FeatureSet features;
   std::vector<Grouping> groupings;
@@ -65,8 +65,7 @@ struct RecognitionResult {
 struct RecognitionRequest {
   std::string
       only;  ///< name of the one object wanted ("": all); stops at the first plausible and reliable match
-  std::vector<RecognizedObject>
-      previous;  ///< last frame's objects: equal poses are reported nearest to these
+  std::vector<ObjectEstimate> previous;  ///< last frame's objects: equal poses are reported nearest to these
 };
 
 /// Recognises the known objects in single grey images: the seed's figure 2 from end to end. Immutable after

@@ -8,10 +8,10 @@ namespace monocular_eye_hand {
 
 /// Turns a chosen candidate into the object that is reported: decision with reason, alternatives,
 /// plausibility, reliability, symmetry. `rivals`: the candidates that explain the same part of the image.
-RecognizedObject reportObject(const std::vector<SearchModel>& models,
-                              const std::vector<Candidate>& candidates, const Explanation& explanation,
-                              const RecognitionOptions& options, const Camera& camera,
-                              const std::vector<Grouping>& groupings, const FeatureSet& features);
+ObjectEstimate reportObject(const std::vector<SearchModel>& models, const std::vector<Candidate>& candidates,
+                            const Explanation& explanation, const RecognitionOptions& options,
+                            const Camera& camera, const std::vector<Grouping>& groupings,
+                            const FeatureSet& features);
 
 /// Of the poses that the object's symmetry group makes equal, the one nearest to `wanted`.
 Rigid3 nearestEqualPose(const ObjectModel& model, const Rigid3& pose, const Rigid3& wanted);

@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 
 /// What the image says about one refined pose: for it, and against it. Every term is a plain number that the
-/// decision weighs; names are those of RecognizedObject::evidence.
+/// decision weighs; names are those of ObjectEstimate::evidence.
 struct EvidenceTerms {
   double sum = 0;                 ///< log-likelihood ratio of the visible contour [nats], one sample per 5 px
   double mean = 0;                ///< ... per sample

@@ -12,7 +12,7 @@ namespace monocular_eye_hand {
 /// Accepted green, ambiguous amber, rejected red.
 Colour decisionColour(Decision decision);
 /// "bridge 0.97".
-std::string objectLabel(const RecognizedObject& object);
+std::string objectLabel(const ObjectEstimate& object);
 
 /// All accepted and ambiguous objects over the image, coloured by decision; rejected candidates too when
 /// asked. `camera`: of `grey`. Throws BadInput when they do not fit together or an object index is not in
@@ -25,6 +25,6 @@ std::vector<cv::Mat> drawBackProjections(const cv::Mat& grey, const Camera& came
                                          const RecognitionResult& result);
 /// One candidate alone over the image.
 cv::Mat drawCandidate(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
-                      const RecognizedObject& candidate);
+                      const ObjectEstimate& candidate);
 
 }  // namespace monocular_eye_hand
