@@ -12,7 +12,7 @@ using JointVector = Eigen::Matrix<double, 6, 1>;
 
 /// What one joint can do.
 struct JointLimit {
-  double lower = 0, upper = 0;  ///< [rad]; the range is at most 2 turns
+  double lower = 0, upper = 0;  ///< [rad]; the range is at most 2 turns, of joints 2, 3 and 5 less than one
   double velocity = 1;          ///< [rad/s]
   double acceleration = 1;      ///< [rad/s^2]
 
@@ -47,14 +47,21 @@ enum class Shoulder { kRight, kLeft };
 enum class Elbow { kUp, kDown };
 enum class Wrist { kPositive, kNegative };  ///< sign of joint 5
 
-/// Which of the eight postures.
+/// Which of the eight postures (docs/conventions.md).
 struct Branch {
   Shoulder shoulder = Shoulder::kRight;
   Elbow elbow = Elbow::kUp;
   Wrist wrist = Wrist::kPositive;
+
+  bool operator==(const Branch& o) const {
+    return shoulder == o.shoulder && elbow == o.elbow && wrist == o.wrist;
+  }
+  bool operator!=(const Branch& o) const { return !(*this == o); }
 };
 /// "right-up-positive" and so on; used in messages.
 std::string name(const Branch& branch);
+/// The branch of that name. Throws BadInput naming the eight there are.
+Branch branchOf(const std::string& name);
 
 struct ArmSolution {
   JointVector joints;
@@ -82,14 +89,14 @@ class ArmSolutions {
 
 /// How near the three singularities are; each is 0 there (docs/conventions.md).
 struct Singularity {
-  double shoulder = 0;     ///< wrist centre's distance from the plane of axis 1 [m]
-  double elbow = 0;        ///< sine-like measure: |d4 cos q3 + a3 sin q3| [m]
+  double shoulder = 0;     ///< distance of the wrist centre from the plane of axis 1 across the arm [m]
+  double elbow = 0;        ///< |d4 cos q3 + a3 sin q3| [m]: 0 with the arm stretched or folded
   double wrist = 0;        ///< |sin q5|
-  double determinant = 0;  ///< of the Jacobian [m^3]
+  double determinant = 0;  ///< of the Jacobian: a2 times the three, with its sign [m^3]
 };
 
-/// Closed-form kinematics of the PUMA 560 (Paul & Zhang 1986). Frames: `base` is base_link on the mounting
-/// surface, z up; `tool0` lies in the flange's face, z out of it (the sixth DH frame moved by d6).
+/// Closed-form kinematics of the PUMA 560. Frames: `base` is base_link on the mounting surface, z up; `tool0`
+/// lies in the flange's face, z out of it (the sixth DH frame moved by d6).
 class Puma560 {
  public:
   /// Throws BadInput when an option is out of range.
@@ -102,11 +109,21 @@ class Puma560 {
   /// Geometric Jacobian of tool0 in base: rows velocity [m/s], angular velocity [rad/s] per joint [rad/s].
   Matrix6d jacobian(const JointVector& joints) const;
   Singularity singularity(const JointVector& joints) const;
+  /// The posture these joints are in; at a singularity the first of the two that meet there.
+  Branch branch(const JointVector& joints) const;
 
   /// Every posture, with every whole turn inside the limits, that reaches the pose; none when it is out of
-  /// reach. Where only q4 + q6 is defined (q5 = 0), joint 4 keeps `current`; where joint 1 is free it keeps
-  /// `current` too.
+  /// reach. By Paul & Zhang (Int. J. Robotics Research 5(2), 1986); no allocation. What it returns reaches
+  /// the pose to 1e-12 m and 1e-12 rad, also at and near the singularities:
+  /// - wrist straight (q5 = 0): only q4 + q6 is defined. Joint 4 keeps `current`, or moves as little as the
+  ///   limits of joint 6 ask; the two wrist postures are one, kPositive.
+  /// - arm stretched: the elbow postures are one, kUp. Wrist centre on the plane of axis 1: the shoulder
+  ///   postures are one, kRight. A pose beyond these by less than 5e-13 m is taken to be on them.
+  /// - wrist centre on axis 1 (only with d3 = 0): joint 1 keeps `current`, whether or not the wrist can
+  /// follow. Throws BadInput when the pose or `current` is not finite or the rotation is none (orthonormal to
+  /// 1e-6; beyond 1e-14 the tool is turned by as much as the matrix is off).
   void inverse(const Rigid3& base_from_tool0, const JointVector& current, ArmSolutions* solutions) const;
+  /// False also for joints that are not finite.
   bool withinLimits(const JointVector& joints, double tolerance = 1e-9) const;
 
  private:
