@@ -42,6 +42,7 @@ std::vector<RecognizedObject> Outputs::publish(const WorkedImage& image) {
   array.objects = number(image);
   if (objects.empty()) array.reason = image.result.reason;
   array.truncated = image.result.truncated;
+  array.budget_spent = image.result.budget_spent;
   array.seconds = image.seconds;
   std::vector<int> numbers;
   for (const RecognizedObject& object : array.objects) numbers.push_back(object.instance);

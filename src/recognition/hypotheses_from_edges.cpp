@@ -77,6 +77,16 @@ Rigid3 poseFromRuler(const SearchModel& model, const Anchor& anchor, const Eigen
   return pose;
 }
 
+// The segments that may serve as rulers.
+std::vector<int> longestFirst(const std::vector<LineSegment>& segments, const std::vector<char>& usable) {
+  std::vector<int> order;
+  for (size_t s = 0; s < segments.size(); ++s)
+    if (usable[s] && segments[s].length() >= kMinSegment) order.push_back(int(s));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return segments[a].length() > segments[b].length(); });
+  return order;
+}
+
 }  // namespace
 
 void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
@@ -91,8 +101,7 @@ void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
   const auto better = [](const FlatCandidate& a, const FlatCandidate& b) { return a.score > b.score; };
 
   const auto& segments = context.features.segments;
-  for (size_t s = 0; s < segments.size(); ++s) {
-    if (!usable[s] || segments[s].length() < kMinSegment) continue;
+  for (int s : longestFirst(segments, usable)) {
     if (budget->spent()) break;
     const double length = segments[s].length();
     for (int reversed = 0; reversed < 2; ++reversed) {
@@ -113,7 +122,7 @@ void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
         auto it = std::lower_bound(level.anchors.begin(), level.anchors.end(), shortest,
                                    [](const Anchor& a, float value) { return a.length < value; });
         for (; it != level.anchors.end() && it->length <= longest; ++it) {
-          ++budget->scored;
+          budget->count();
           const int sum = flatEvidence(*it, ruler, context.map, kBins);
           if (sum < kAfterAll) continue;
           FlatCandidate candidate;
@@ -126,7 +135,7 @@ void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
           auto& cell = cells[size_t(y) * cells_x + x];
           candidate.level = int(l);
           candidate.anchor = int(it - level.anchors.begin());
-          candidate.segment = int(s);
+          candidate.segment = s;
           candidate.reversed = reversed;
           if (int(cell.size()) < kPerCell) {
             cell.push_back(candidate);

@@ -25,7 +25,7 @@ HypothesisPool::HypothesisPool(const Camera& camera, const SearchModel& model,
 
 void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const EvidenceMap& map,
                            WorkBudget* budget) {
-  ++budget->scored;
+  budget->count();
   const Eigen::Vector3d centre = pose * model_.model().centre();
   const double distance = centre.norm();
   if (!(centre.z() > 0) || distance < options_.min_distance || distance > options_.max_distance) return;

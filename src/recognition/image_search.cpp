@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/recognition/alignment.h"
 #include "monocular_eye_hand/recognition/constellation.h"
 #include "monocular_eye_hand/recognition/reporting.h"
@@ -15,7 +16,9 @@ namespace {
 const std::vector<double> kFineRanges{6.0, 4.0, 2.5, 1.5};  // [px]
 constexpr double kFineStep = 4.0;                           // contour samples of the fine alignment [px]
 constexpr double kSamePose = 4.0;                           // poses this near in the image are one [px]
-constexpr float kMinAligned = 6.0f;                         // nats after coarse alignment
+constexpr double kSameStart = 2.0;            // a start this near to a candidate leads there [px]
+constexpr double kSameEnd = 1.5;              // an aligned pose this near to a candidate is it [px]
+constexpr float kMinAligned = 6.0f;           // nats after coarse alignment
 constexpr double kWorthRecalculating = 0.05;  // probability from which a candidate may still be reported
 constexpr double kExplainedShare = 0.7;       // of a segment's points claimed: it is explained
 constexpr double kSurelyRight = 0.9;          // only such objects explain features away during the search
@@ -29,11 +32,6 @@ double gradientNoise(const FeatureSet& features) {
   return g[g.size() / 10];
 }
 
-struct Aligned {
-  Hypothesis hypothesis;
-  Eigen::Vector2d centre;
-};
-
 }  // namespace
 
 ImageSearch::ImageSearch(const ModelBase& base, const std::vector<SearchModel>& models,
@@ -45,7 +43,7 @@ ImageSearch::ImageSearch(const ModelBase& base, const std::vector<SearchModel>& 
       image_(grey),
       full_camera_(camera),
       only_(only),
-      start_(std::chrono::steady_clock::now()) {
+      budget_(options.budget, options.time_limit) {
   if (grey.empty()) throw BadInput("the image is empty");
   if (grey.type() != CV_8UC1) throw BadInput("the image must be 8-bit grey (CV_8UC1)");
   if (grey.cols != camera.width || grey.rows != camera.height)
@@ -59,13 +57,6 @@ ImageSearch::ImageSearch(const ModelBase& base, const std::vector<SearchModel>& 
     grey_ = grey;
   else
     cv::resize(grey, grey_, {camera_.width, camera_.height}, 0, 0, cv::INTER_AREA);
-  budget_.limit = options.budget;
-}
-
-bool ImageSearch::outOfTime() const {
-  if (options_.time_limit <= 0) return false;
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >
-         options_.time_limit;
 }
 
 void ImageSearch::timed(const char* stage, const std::function<void(StageReport*)>& work) {
@@ -94,100 +85,120 @@ void ImageSearch::lookAtImage() {
     rect_grey_ = rectifiedGrey(grey_, camera_, domain_);
     map_ = std::make_unique<EvidenceMap>(result_.features, domain_);
     raster_ = std::make_unique<EdgeRaster>(result_.features, domain_);
+    context_.emplace(VerificationContext{camera_, domain_, result_.features, *map_, *raster_, rect_grey_,
+                                         gradientNoise(result_.features)});
   });
+}
+
+int ImageSearch::wantedFrom(int first) const {
+  int count = 0;
+  for (int i = first; i < int(models_.size()); ++i) count += wanted(i);
+  return count;
 }
 
 void ImageSearch::searchGroupings() {
   const SearchContext context{camera_, result_.features, result_.groupings, *map_, options_};
-  for (size_t i = 0; i < models_.size(); ++i) {
-    if (!wanted(int(i)) || outOfTime()) continue;
+  const int rounds_after = wantedFrom(0);  // every object has its part of the second round
+  for (int i = 0; i < int(models_.size()); ++i) {
+    if (!wanted(i)) continue;
+    budget_.allow(wantedFrom(i) + rounds_after);
     timed("hypotheses from groupings", [&](StageReport* report) {
-      const long long before = budget_.scored;
-      hypothesesFromPoints(context, int(i), models_[i], &pools_[i], &budget_);
-      hypothesesFromEllipses(context, int(i), models_[i], &pools_[i], &budget_);
-      report->counts["scored"] = double(budget_.scored - before);
+      const long long before = budget_.scored();
+      hypothesesFromGroupings(context, i, models_[i], &pools_[i], &budget_);
+      report->counts["scored"] = double(budget_.scored() - before);
     });
-    judgeHypotheses(int(i), options_.refined_per_object / 2);
+    judgeHypotheses(i, options_.refined_per_object / 2);
   }
 }
 
 void ImageSearch::searchEdges() {
   const SearchContext context{camera_, result_.features, result_.groupings, *map_, options_};
   const std::vector<char> usable = unexplainedSegments();
-  for (size_t i = 0; i < models_.size(); ++i) {
-    if (!wanted(int(i)) || outOfTime()) continue;
+  for (int i = 0; i < int(models_.size()); ++i) {
+    if (!wanted(i)) continue;
+    budget_.allow(wantedFrom(i));
     timed("hypotheses from edges", [&](StageReport* report) {
-      const long long before = budget_.scored;
+      const long long before = budget_.scored();
       hypothesesFromEdges(context, models_[i], usable, &pools_[i], &budget_);
-      report->counts["scored"] = double(budget_.scored - before);
+      report->counts["scored"] = double(budget_.scored() - before);
     });
-    judgeHypotheses(int(i), options_.refined_per_object);
+    judgeHypotheses(i, options_.refined_per_object);
   }
 }
 
 void ImageSearch::judgeHypotheses(int object, int count) {
-  const SearchModel& model = models_[object];
-  std::vector<Aligned> aligned;
+  std::vector<AlignedHypothesis> aligned;
   timed("coarse alignment", [&](StageReport* report) {
     const std::vector<Hypothesis> hypotheses = pools_[object].take(count);
-    for (Hypothesis h : hypotheses) {
-      if (!alignCoarsely(model, camera_, *raster_, &h.camera_from_object, &h.view)) continue;
-      const CoarseScore score = scorePose(model, h.view, h.camera_from_object, camera_, *map_);
-      if (score.evidence < kMinAligned || score.in_frame < options_.min_in_frame) continue;
-      h.evidence = score.evidence;
-      aligned.push_back({h, camera_.project(h.camera_from_object * model.model().centre())});
-    }
-    std::stable_sort(aligned.begin(), aligned.end(), [](const Aligned& a, const Aligned& b) {
-      return a.hypothesis.evidence > b.hypothesis.evidence;
-    });
+    aligned = alignHypotheses(models_[object], hypotheses);
     report->counts = {{"hypotheses", double(hypotheses.size())}, {"aligned", double(aligned.size())}};
   });
   timed("verification", [&](StageReport* report) {
-    const VerificationContext context{
-        camera_, domain_, result_.features, *map_, *raster_, rect_grey_, gradientNoise(result_.features)};
-    std::vector<const Aligned*> kept;
-    for (const Aligned& a : aligned) {
-      if (int(kept.size()) >= options_.verified_per_object) break;
-      const auto same = [&](const Aligned* k) {
-        return (k->centre - a.centre).norm() < 2 * kSamePose &&
-               model.poseDistance(camera_, k->hypothesis.camera_from_object,
-                                  a.hypothesis.camera_from_object) < kSamePose;
-      };
-      if (std::any_of(kept.begin(), kept.end(), same)) continue;
-      kept.push_back(&a);
+    for (const AlignedHypothesis& a : distinctPlaces(models_[object], aligned)) {
+      if (knownCandidate(object, a.hypothesis.camera_from_object, kSameStart)) continue;
+      if (budget_.outOfTime()) break;
+      report->counts["verified"] += judge(object, a.hypothesis);
     }
-    int judged = 0;
-    for (const Aligned* a : kept) {
-      const auto known = [&](const Candidate& c, double limit) {
-        return c.object == object && model.poseDistance(camera_, c.pose.camera_from_object,
-                                                        a->hypothesis.camera_from_object) < limit;
-      };
-      if (std::any_of(candidates_.begin(), candidates_.end(),
-                      [&](const Candidate& c) { return known(c, 2.0); }))
-        continue;
-      Candidate candidate;
-      candidate.object = object;
-      candidate.kind = a->hypothesis.kind;
-      candidate.pose =
-          alignFinely(model, camera_, domain_, *raster_, a->hypothesis.camera_from_object, kFineRanges, 4.0);
-      if (!candidate.pose.well_posed) continue;
-      candidate.pose.camera_from_object = model.canonical(candidate.pose.camera_from_object, &candidate.view);
-      const Eigen::Vector3d centre = candidate.pose.camera_from_object * model.model().centre();
-      if (centre.norm() < options_.min_distance || centre.norm() > options_.max_distance) continue;
-      if (!model.seenFromOutside(candidate.pose.camera_from_object)) continue;
-      const auto sameAs = [&](const Candidate& c) {
-        return c.object == object && model.poseDistance(camera_, c.pose.camera_from_object,
-                                                        candidate.pose.camera_from_object) < 1.5;
-      };
-      if (std::any_of(candidates_.begin(), candidates_.end(), sameAs)) continue;
-      verify(model, context, &candidate);
-      ++judged;
-      if (candidate.terms.in_frame < options_.min_in_frame || candidate.terms.sum < kMinAligned) continue;
-      candidate.probability = probability(candidate.terms, options_.decision);
-      candidates_.push_back(std::move(candidate));
-    }
-    report->counts = {{"verified", double(judged)}};
   });
+}
+
+std::vector<ImageSearch::AlignedHypothesis> ImageSearch::alignHypotheses(
+    const SearchModel& model, const std::vector<Hypothesis>& hypotheses) {
+  std::vector<AlignedHypothesis> aligned;
+  for (Hypothesis h : hypotheses) {
+    if (budget_.outOfTime()) break;
+    if (!alignCoarsely(model, camera_, *raster_, &h.camera_from_object, &h.view)) continue;
+    const CoarseScore score = scorePose(model, h.view, h.camera_from_object, camera_, *map_);
+    if (score.evidence < kMinAligned || score.in_frame < options_.min_in_frame) continue;
+    h.evidence = score.evidence;
+    aligned.push_back({h, camera_.project(h.camera_from_object * model.model().centre())});
+  }
+  std::stable_sort(aligned.begin(), aligned.end(), [](const auto& a, const auto& b) {
+    return a.hypothesis.evidence > b.hypothesis.evidence;
+  });
+  return aligned;
+}
+
+std::vector<ImageSearch::AlignedHypothesis> ImageSearch::distinctPlaces(
+    const SearchModel& model, const std::vector<AlignedHypothesis>& aligned) const {
+  std::vector<AlignedHypothesis> kept;
+  for (const AlignedHypothesis& a : aligned) {
+    if (int(kept.size()) >= options_.verified_per_object) break;
+    const auto same = [&](const AlignedHypothesis& k) {
+      return (k.centre - a.centre).norm() < 2 * kSamePose &&
+             model.poseDistance(camera_, k.hypothesis.camera_from_object, a.hypothesis.camera_from_object) <
+                 kSamePose;
+    };
+    if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back(a);
+  }
+  return kept;
+}
+
+bool ImageSearch::knownCandidate(int object, const Rigid3& camera_from_object, double distance) const {
+  return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) {
+    return c.object == object &&
+           models_[object].poseDistance(camera_, c.pose.camera_from_object, camera_from_object) < distance;
+  });
+}
+
+bool ImageSearch::judge(int object, const Hypothesis& hypothesis) {
+  const SearchModel& model = models_[object];
+  Candidate candidate;
+  candidate.object = object;
+  candidate.kind = hypothesis.kind;
+  candidate.pose =
+      alignFinely(model, camera_, domain_, *raster_, hypothesis.camera_from_object, kFineRanges, kFineStep);
+  if (!candidate.pose.well_posed) return false;
+  candidate.pose.camera_from_object = model.canonical(candidate.pose.camera_from_object, &candidate.view);
+  const Rigid3& pose = candidate.pose.camera_from_object;
+  const double distance = (pose * model.model().centre()).norm();
+  if (distance < options_.min_distance || distance > options_.max_distance) return false;
+  if (!model.seenFromOutside(pose) || knownCandidate(object, pose, kSameEnd)) return false;
+  verify(model, *context_, &candidate);
+  if (candidate.terms.in_frame < options_.min_in_frame || candidate.terms.sum < kMinAligned) return true;
+  candidate.probability = probability(candidate.terms, options_.decision);
+  candidates_.push_back(std::move(candidate));
+  return true;
 }
 
 std::vector<char> ImageSearch::unexplainedSegments() const {
@@ -215,8 +226,6 @@ std::vector<char> ImageSearch::unexplainedSegments() const {
 
 void ImageSearch::recalculateChosen() {
   timed("best four", [&](StageReport* report) {
-    const VerificationContext context{
-        camera_, domain_, result_.features, *map_, *raster_, rect_grey_, gradientNoise(result_.features)};
     const std::vector<ImageCorner> corners = imageCorners(result_.groupings);
     for (const Explanation& e : chooseExplanations(candidates_)) {
       Candidate& candidate = candidates_[e.candidate];
@@ -234,7 +243,7 @@ void ImageSearch::recalculateChosen() {
           alignFinely(model, camera_, domain_, *raster_, four.camera_from_object, {2.5, 1.5}, kFineStep);
       if (!again.pose.well_posed) continue;
       again.pose.camera_from_object = model.canonical(again.pose.camera_from_object, &again.view);
-      verify(model, context, &again);
+      verify(model, *context_, &again);
       again.probability = probability(again.terms, options_.decision);
       if (again.terms.sum <= candidate.terms.sum || again.probability < candidate.probability) continue;
       candidate = std::move(again);
@@ -274,12 +283,28 @@ bool ImageSearch::found() const {
   return false;
 }
 
+std::string ImageSearch::whyNothing() const {
+  std::string reason;
+  if (result_.features.segments.empty() && result_.features.ellipses.empty())
+    reason = "no straight edge and no ellipse in the image: too dark, blurred or empty";
+  else if (candidates_.empty())
+    reason = "no pose of a known object agrees with the edges of the image";
+  else if (!result_.rejected.empty())
+    reason = "best candidate is " + result_.rejected.front().name + ": " + result_.rejected.front().reason;
+  if (result_.budget_spent)
+    reason += "; the budget of " + std::to_string(options_.budget) +
+              " hypotheses was spent before all groupings were used";
+  if (result_.truncated) reason += "; the time limit cut the search";
+  return reason;
+}
+
 RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) {
   lookAtImage();
   for (const SearchModel& model : models_) pools_.emplace_back(camera_, model, options_);
   searchGroupings();
   if (only_ < 0 || !found()) searchEdges();
-  result_.truncated = outOfTime();
+  result_.truncated = budget_.cutByTime();
+  result_.budget_spent = budget_.cutByWork();
   recalculateChosen();
 
   timed("decision", [&](StageReport* report) {
@@ -306,15 +331,7 @@ RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) 
                       {"rejected", double(result_.rejected.size())}};
   });
   refineInFull();
-  if (result_.objects.empty()) {
-    if (result_.features.segments.empty() && result_.features.ellipses.empty())
-      result_.reason = "no straight edge and no ellipse in the image: too dark, blurred or empty";
-    else if (candidates_.empty())
-      result_.reason = "no pose of a known object agrees with the edges of the image";
-    else if (!result_.rejected.empty())
-      result_.reason =
-          "best candidate is " + result_.rejected.front().name + ": " + result_.rejected.front().reason;
-  }
+  if (result_.objects.empty()) result_.reason = whyNothing();
   return std::move(result_);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace monocular_eye_hand {
@@ -63,26 +62,6 @@ std::string whatSpeaksAgainst(const EvidenceTerms& t) {
 }
 
 }  // namespace
-
-Rigid3 nearestEqualPose(const ObjectModel& model, const Rigid3& pose, const Rigid3& wanted) {
-  Rigid3 best = pose;
-  double least = std::numeric_limits<double>::max();
-  for (const Rigid3& s : model.symmetries.discrete) {
-    Rigid3 equal = pose * s;
-    if (model.symmetries.axis) {
-      const SymmetryAxis& axis = *model.symmetries.axis;
-      const Eigen::Quaterniond q(Eigen::Matrix3d(equal.rotation.transpose() * wanted.rotation));
-      Rigid3 turn;
-      turn.rotation = Eigen::AngleAxisd(2 * std::atan2(q.vec().dot(axis.direction), q.w()), axis.direction)
-                          .toRotationMatrix();
-      turn.translation = axis.point - turn.rotation * axis.point;
-      equal = equal * turn;
-    }
-    const double angle = angleBetween(equal.rotation, wanted.rotation);
-    if (angle < least - 1e-9) least = angle, best = equal;
-  }
-  return best;
-}
 
 std::string describeSymmetry(const Symmetries& symmetries) {
   std::ostringstream text;

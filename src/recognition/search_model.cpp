@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "monocular_eye_hand/model/equal_poses.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -45,13 +47,6 @@ Eigen::Matrix3d lookAtRotation(const Eigen::Vector3d& direction) {
 double azimuth(const SymmetryAxis& axis, const Eigen::Vector3d& d) {
   const Eigen::Vector3d x = axis.direction.unitOrthogonal(), y = axis.direction.cross(x);
   return std::atan2(d.dot(y), d.dot(x));
-}
-
-Rigid3 turnAbout(const SymmetryAxis& axis, double angle) {
-  Rigid3 turn;
-  turn.rotation = Eigen::AngleAxisd(angle, axis.direction).toRotationMatrix();
-  turn.translation = axis.point - turn.rotation * axis.point;
-  return turn;
 }
 
 // Farthest-first order on the samples' places: every prefix is spread out.
@@ -129,6 +124,15 @@ SearchModel::SearchModel(const KnownObject& object) : object_(&object), grouping
 void SearchModel::buildLookup() {
   const Symmetries& symmetries = model().symmetries;
   const int directions = object_->views.directions;
+  if (symmetries.axis) {
+    // A meridian's views share their azimuth; at a pole it is undefined, so it is read off the widest tilt.
+    double widest = -1;
+    for (int k = 0; k < directions; ++k) {
+      const Eigen::Vector3d& v = object_->views.views[k].direction;
+      const double off = symmetries.axis->direction.cross(v).norm();
+      if (off > widest) widest = off, meridian_ = azimuth(*symmetries.axis, v);
+    }
+  }
   lookup_.resize(6 * kLookupSide * kLookupSide);
   for (size_t cell = 0; cell < lookup_.size(); ++cell) {
     const Eigen::Vector3d d = cellDirection(int(cell));
@@ -162,21 +166,11 @@ Rigid3 SearchModel::canonical(const Rigid3& pose, int* view) const {
     const Eigen::Vector3d d =
         (-(result.rotation.transpose() * result.translation) - model().centre()).normalized();
     if (symmetries.sphere) {
-      Rigid3 turn;
-      turn.rotation = Eigen::Quaterniond::FromTwoVectors(seen.direction, d).toRotationMatrix();
-      turn.translation = model().centre() - turn.rotation * model().centre();
-      result = result * turn;
+      result = result * turnAbout(model().centre(),
+                                  Eigen::Quaterniond::FromTwoVectors(seen.direction, d).toRotationMatrix());
     } else {
-      // A meridian's views share their azimuth; at a pole it is undefined, so it is read off the widest tilt.
       const SymmetryAxis& axis = *symmetries.axis;
-      Eigen::Vector3d reference = seen.direction;
-      double best = -1;
-      for (int k = 0; k < object_->views.directions; ++k) {
-        const Eigen::Vector3d& v = object_->views.views[k].direction;
-        const double off = axis.direction.cross(v).norm();
-        if (off > best) best = off, reference = v;
-      }
-      result = result * turnAbout(axis, azimuth(axis, d) - azimuth(axis, reference));
+      result = result * turnAbout(axis, azimuth(axis, d) - meridian_);
     }
   }
   if (view) {
@@ -211,22 +205,8 @@ double SearchModel::poseDistance(const Camera& camera, const Rigid3& a, const Ri
     return worst;
   };
   double best = std::numeric_limits<double>::max();
-  const Symmetries& symmetries = model().symmetries;
-  for (const Rigid3& s : symmetries.discrete) {
-    Rigid3 moved = b * s;
-    if (symmetries.axis) {
-      // Turn about the axis so that the two frames agree best: project the relative rotation on the axis.
-      const Eigen::Matrix3d relative = moved.rotation.transpose() * a.rotation;
-      const Eigen::Quaterniond q(relative);
-      const double angle = 2 * std::atan2(q.vec().dot(symmetries.axis->direction), q.w());
-      moved = moved * turnAbout(*symmetries.axis, angle);
-    } else if (symmetries.sphere) {
-      Rigid3 turn;
-      turn.rotation = moved.rotation.transpose() * a.rotation;
-      turn.translation = model().centre() - turn.rotation * model().centre();
-      moved = moved * turn;
-    }
-    best = std::min(best, largest(moved));
+  for (const Rigid3& s : model().symmetries.discrete) {
+    best = std::min(best, largest(turnedTowards(model(), b * s, a)));
   }
   return best;
 }

@@ -116,6 +116,7 @@ class PageWriter {
       page_.paragraph("Nothing found. " + result_.reason);
     else
       page_.paragraph(count(result_.objects.size(), "object", "objects") + " found.");
+    if (result_.budget_spent) page_.paragraph("The budget was spent before all groupings were used.");
     if (result_.truncated) page_.paragraph("The time limit ended the search before everything was tried.");
     figure("result.png", drawResult(grey_, camera_, models_, result_),
            "Accepted green, ambiguous amber; axes x red, y green, z blue", true);

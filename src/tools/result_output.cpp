@@ -75,7 +75,9 @@ std::string table(const ImageReport& report) {
   char head[100];
   std::snprintf(head, sizeof head, ": %zu object%s in %.2f s%s\n", objects.size(),
                 objects.size() == 1 ? "" : "s", report.seconds,
-                report.result.truncated ? " (truncated by the time limit)" : "");
+                report.result.truncated      ? " (truncated by the time limit)"
+                : report.result.budget_spent ? " (cut by the budget of hypotheses)"
+                                             : "");
   std::string text = report.image + head;
   if (objects.empty()) return text + "  nothing found: " + report.result.reason + "\n";
   size_t width = 4;
@@ -96,6 +98,7 @@ Json toJson(const ImageReport& report, const ModelBase& models) {
   const RecognitionResult& result = report.result;
   out["seconds"] = report.seconds;
   out["truncated"] = result.truncated;
+  out["budget_spent"] = result.budget_spent;
   out["reason"] = result.reason;
   for (const auto& [key, objects] :
        {std::make_pair("objects", &result.objects), std::make_pair("rejected", &result.rejected)}) {

@@ -4,6 +4,7 @@
 #include "monocular_eye_hand/recognition/evidence.h"
 #include "monocular_eye_hand/recognition/options.h"
 #include "monocular_eye_hand/recognition/search_model.h"
+#include "monocular_eye_hand/recognition/work_budget.h"
 
 namespace monocular_eye_hand {
 
@@ -23,13 +24,6 @@ struct SearchContext {
   const std::vector<Grouping>& groupings;
   const EvidenceMap& map;
   const RecognitionOptions& options;
-};
-
-/// Work done so far, in hypotheses scored; the search ends when it exceeds the limit.
-struct WorkBudget {
-  long long scored = 0;
-  long long limit = 0;  ///< 0: none
-  bool spent() const { return limit > 0 && scored >= limit; }
 };
 
 /// Keeps the best hypotheses of one object, spread over the image: a strong place cannot crowd out the
@@ -52,16 +46,14 @@ class HypothesisPool {
   std::vector<std::vector<Hypothesis>> cells_;
 };
 
-/// Seed, step 2 for point groupings: every image grouping (L, triplet, chain, quad) with every model grouping
-/// of its kind, the pose by the perspective tetrahedron, further points choose among its roots.
-void hypothesesFromPoints(const SearchContext& context, int object, const SearchModel& model,
-                          HypothesisPool* pool, WorkBudget* budget);
+/// Seed, step 2: every image grouping with every model grouping of its kind, in every order that the kind
+/// admits, the most telling first: likely structure of one object that fits the model in few ways. Poses by
+/// the perspective tetrahedron, corner triplets of lines and circles (pair_poses.h).
+void hypothesesFromGroupings(const SearchContext& context, int object, const SearchModel& model,
+                             HypothesisPool* pool, WorkBudget* budget);
 
-/// Ellipses with model circles: the circle pose's two solutions, the roll from the contour.
-void hypothesesFromEllipses(const SearchContext& context, int object, const SearchModel& model,
-                            HypothesisPool* pool, WorkBudget* budget);
-
-/// One whole edge with the view sphere: every segment as every edge of every sampled view. `usable`: flags of
+/// One whole edge with the view sphere: every segment, long ones first, as every edge of every
+/// sampled view. `usable`: flags of
 /// the segments that may serve (not explained yet).
 void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
                          const std::vector<char>& usable, HypothesisPool* pool, WorkBudget* budget);

@@ -1,7 +1,8 @@
 #pragma once
-#include <chrono>
 #include <functional>
 #include <opencv2/core.hpp>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "monocular_eye_hand/recognition/decision.h"
@@ -20,13 +21,24 @@ class ImageSearch {
 
  private:
   bool wanted(int object) const { return only_ < 0 || only_ == object; }
-  bool outOfTime() const;
-  void lookAtImage();      // features, groupings, evidence
-  void searchGroupings();  // first round: points and ellipses
-  void searchEdges();      // second round: single edges with the view sphere
+  int wantedFrom(int first) const;  // objects that are wanted, from this one on
+  void lookAtImage();               // features, groupings, evidence
+  void searchGroupings();           // first round: points and ellipses
+  void searchEdges();               // second round: single edges with the view sphere
+  struct AlignedHypothesis {
+    Hypothesis hypothesis;
+    Eigen::Vector2d centre;  // of the object, in the image [uv_rect px]
+  };
   void judgeHypotheses(int object, int count);
+  std::vector<AlignedHypothesis> alignHypotheses(const SearchModel& model,
+                                                 const std::vector<Hypothesis>& hypotheses);
+  std::vector<AlignedHypothesis> distinctPlaces(const SearchModel& model,
+                                                const std::vector<AlignedHypothesis>& aligned) const;
+  bool knownCandidate(int object, const Rigid3& camera_from_object, double distance) const;
+  bool judge(int object, const Hypothesis& hypothesis);  // true when it came to be verified
   std::vector<char> unexplainedSegments() const;
   bool found() const;
+  std::string whyNothing() const;
   void recalculateChosen();  // seed 2.4: best four of the constellation
   void refineInFull();       // when the image was searched at a lower resolution
   void timed(const char* stage, const std::function<void(StageReport*)>& work);
@@ -37,7 +49,6 @@ class ImageSearch {
   const cv::Mat& image_;
   const Camera& full_camera_;
   const int only_;
-  const std::chrono::steady_clock::time_point start_;
 
   Camera camera_;  // of the search image
   cv::Mat grey_;   // the search image
@@ -45,6 +56,7 @@ class ImageSearch {
   cv::Mat rect_grey_;
   std::unique_ptr<EvidenceMap> map_;
   std::unique_ptr<EdgeRaster> raster_;
+  std::optional<VerificationContext> context_;  // of the members above
   std::vector<HypothesisPool> pools_;
   std::vector<Candidate> candidates_;
   WorkBudget budget_;

@@ -13,9 +13,6 @@ ObjectEstimate reportObject(const std::vector<SearchModel>& models, const std::v
                             const Camera& camera, const std::vector<Grouping>& groupings,
                             const FeatureSet& features);
 
-/// Of the poses that the object's symmetry group makes equal, the one nearest to `wanted`.
-Rigid3 nearestEqualPose(const ObjectModel& model, const Rigid3& pose, const Rigid3& wanted);
-
 /// For people: "", "2 equal poses", "free about the axis (0, 0, 1) through (0, 0, 0) m".
 std::string describeSymmetry(const Symmetries& symmetries);
 

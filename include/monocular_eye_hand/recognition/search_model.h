@@ -78,6 +78,7 @@ class SearchModel {
     int16_t symmetry = 0;
   };
   std::vector<Nearest> lookup_;  ///< cube map of eye directions
+  double meridian_ = 0;          ///< azimuth of the sampled views about a free axis [rad]
   std::vector<Eigen::Vector3d> extent_;
 };
 

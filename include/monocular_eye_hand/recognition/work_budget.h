@@ -1,0 +1,39 @@
+#pragma once
+#include <chrono>
+
+namespace monocular_eye_hand {
+
+/// What one image may cost: hypotheses scored, and optionally seconds. The work is dealt out to the objects
+/// in turn, so that one that comes late in the model base gets its part; what an object leaves over goes to
+/// those after it.
+class WorkBudget {
+ public:
+  /// `limit`: most hypotheses scored, 0 = no limit; `seconds`: wall-clock limit from now on, 0 = none.
+  explicit WorkBudget(long long limit = 0, double seconds = 0);
+
+  /// Allows the next part: an equal share of the work that is left, for one of `parts` that are still to
+  /// come.
+  void allow(int parts);
+
+  void count(int scored = 1) { scored_ += scored; }
+  long long scored() const { return scored_; }
+
+  /// Asked before more work is begun, never after the last of it: true when the part is used up or the time
+  /// is over. What is then left undone is what the limits cut.
+  bool spent();
+  /// The same for work that is not counted: only the time.
+  bool outOfTime();
+
+  bool cutByWork() const { return cut_by_work_; }  ///< some work was left undone because the budget was spent
+  bool cutByTime() const { return cut_by_time_; }  ///< ... because the time was over
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const long long limit_;
+  const double seconds_;
+  const Clock::time_point start_ = Clock::now();
+  long long scored_ = 0, allowed_ = 0;
+  bool cut_by_work_ = false, cut_by_time_ = false;
+};
+
+}  // namespace monocular_eye_hand

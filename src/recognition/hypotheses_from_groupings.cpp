@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <array>
+
+#include "monocular_eye_hand/recognition/hypotheses.h"
+#include "pair_poses.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr int kMaxPerKind = 300;  // best image groupings tried per kind
+
+struct RankedGrouping {
+  const Grouping* seen = nullptr;
+  double rank = 0;
+};
+
+/// How many ways there are to lay the grouping over the model.
+int waysToLay(const Grouping& seen, const SearchModel& model) {
+  int ways = 0;
+  for (const ModelGrouping& known : model.groupings())
+    if (known.points.size() == seen.points.size()) ways += int(correspondences(seen, known).size());
+  return ways;
+}
+
+/// The image groupings that can come from the object, the most telling first: likely structure of one object
+/// (weight) that fits the model in few ways (rarity).
+std::vector<RankedGrouping> rankGroupings(const SearchContext& context, int object,
+                                          const SearchModel& model) {
+  std::vector<RankedGrouping> ranked;
+  std::array<int, kGroupingKinds> tried{};
+  for (const Grouping& seen : context.groupings) {  // best first within a kind
+    if (!fixesPose(seen)) continue;
+    if (std::find(seen.candidates.begin(), seen.candidates.end(), object) == seen.candidates.end()) continue;
+    const int ways = waysToLay(seen, model);
+    if (ways == 0 || ++tried[size_t(seen.kind)] > kMaxPerKind) continue;
+    ranked.push_back({&seen, seen.weight / ways});
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const RankedGrouping& a, const RankedGrouping& b) { return a.rank > b.rank; });
+  return ranked;
+}
+
+}  // namespace
+
+void hypothesesFromGroupings(const SearchContext& context, int object, const SearchModel& model,
+                             HypothesisPool* pool, WorkBudget* budget) {
+  std::vector<Rigid3> poses;
+  for (const RankedGrouping& ranked : rankGroupings(context, object, model))
+    for (const ModelGrouping& known : model.groupings()) {
+      if (known.points.size() != ranked.seen->points.size()) continue;
+      for (const Correspondence& order : correspondences(*ranked.seen, known)) {
+        if (budget->spent()) return;
+        poses.clear();
+        posesOfPair(context, model.model(), {*ranked.seen, known, order}, &poses);
+        for (const Rigid3& pose : poses) pool->offer(pose, ranked.seen->kind, context.map, budget);
+      }
+    }
+}
+
+}  // namespace monocular_eye_hand

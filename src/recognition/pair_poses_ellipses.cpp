@@ -1,0 +1,154 @@
+#include <cmath>
+
+#include "monocular_eye_hand/pose/circle_pose.h"
+#include "pair_poses.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr int kRolls = 60;            // steps of the rotation about the circle's axis
+constexpr double kSmallEllipse = 30;  // semi-axis below which the tilt is uncertain [px]
+constexpr double kCentreError = 10;   // largest image error of the second circle's centre [px]
+constexpr double kLineError = 8;      // largest distance of a model edge's end from its line [px]
+constexpr double kLongBaseline =
+    0.5;                           // centres this far apart, in radii, tell the axis better than one ellipse
+constexpr double kSameAxis = 0.5;  // farthest such an axis may be from the one ellipse's [rad]
+
+// Small ellipses fix the tilt badly: neighbours with another short axis and direction are tried as well.
+std::vector<Ellipse> variants(const Ellipse& seen) {
+  std::vector<Ellipse> all{seen};
+  if (seen.a > kSmallEllipse) return all;
+  for (double db : {-1.5, 1.5}) {
+    Ellipse e = seen;
+    e.b = std::min(e.b + db, e.a);
+    if (e.b > 1.5) all.push_back(e);
+  }
+  for (double turn : {-0.12, 0.12}) {
+    Ellipse e = seen;
+    e.angle += turn;
+    all.push_back(e);
+  }
+  return all;
+}
+
+// Pose with the circle's centre at `centre` and its axis along `normal`, turned by `roll` about it.
+Rigid3 poseOfCircle(const ModelCircle& circle, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal,
+                    double roll) {
+  Eigen::Matrix3d in_object, in_camera;
+  in_object << circle.x_axis, circle.axis.cross(circle.x_axis), circle.axis;
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  const Eigen::Vector3d x = std::cos(roll) * u + std::sin(roll) * v;
+  in_camera << x, normal.cross(x), normal;
+  Rigid3 pose;
+  pose.rotation = in_camera * in_object.transpose();
+  pose.translation = centre - pose.rotation * circle.centre;
+  return pose;
+}
+
+void turnAbout(const ObjectModel& model, const ModelCircle& circle, const Eigen::Vector3d& centre,
+               const Eigen::Vector3d& normal, std::vector<Rigid3>* poses) {
+  const int rolls = model.symmetries.axis ? 1 : kRolls;
+  for (int k = 0; k < rolls; ++k)
+    poses->push_back(poseOfCircle(circle, centre, normal, 2 * M_PI * k / kRolls));
+}
+
+// The axis through `centre` on which the second centre, `offset` [m] farther, is seen at `uv`; of the two
+// that which is nearer to `axis`. Returns `axis` when there is none near it.
+Eigen::Vector3d axisThroughCentres(const Camera& camera, const Eigen::Vector3d& centre,
+                                   const Eigen::Vector2d& uv, double offset, const Eigen::Vector3d& axis) {
+  const Eigen::Vector3d ray = camera.ray(uv).normalized();
+  const double along = ray.dot(centre);
+  const double rest = offset * offset - (centre.squaredNorm() - along * along);
+  if (rest < 0) return axis;
+  Eigen::Vector3d best = axis;
+  double nearest = std::cos(kSameAxis);
+  for (double sign : {1.0, -1.0}) {
+    const Eigen::Vector3d candidate = ((along + sign * std::sqrt(rest)) * ray - centre) / offset;
+    if (candidate.dot(axis) > nearest) nearest = candidate.dot(axis), best = candidate.normalized();
+  }
+  return best;
+}
+
+}  // namespace
+
+void posesOfEllipse(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+                    std::vector<Rigid3>* poses) {
+  const ModelCircle& circle = model.circles[pair.known.circles[pair.order.ellipses[0]]];
+  for (const Ellipse& seen : variants(context.features.ellipses[pair.seen.ellipses[0]].ellipse)) {
+    const CirclePoses solutions = circlePoses(seen, context.camera, circle.radius);
+    for (int i = 0; i < solutions.count; ++i)
+      for (double side : {1.0, -1.0})  // a rim is seen from its face's side or, as an outline, from behind
+        turnAbout(model, circle, solutions.pose[i].centre, side * solutions.pose[i].normal, poses);
+  }
+}
+
+void posesOfEllipsePair(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+                        std::vector<Rigid3>* poses) {
+  // The larger ellipse is the better known one.
+  const auto ellipse = [&](int i) -> const Ellipse& {
+    return context.features.ellipses[pair.seen.ellipses[i]].ellipse;
+  };
+  const int first = ellipse(0).a >= ellipse(1).a ? 0 : 1;
+  const ModelCircle& circle = model.circles[pair.known.circles[pair.order.ellipses[first]]];
+  const ModelCircle& other = model.circles[pair.known.circles[pair.order.ellipses[1 - first]]];
+  const double offset = circle.axis.dot(other.centre - circle.centre);
+  const Eigen::Vector2d seen = ellipse(1 - first).centre;
+  const CirclePoses solutions = circlePoses(ellipse(first), context.camera, circle.radius);
+  for (int i = 0; i < solutions.count; ++i)
+    for (double side : {1.0, -1.0}) {
+      const Eigen::Vector3d& centre = solutions.pose[i].centre;
+      Eigen::Vector3d axis = side * solutions.pose[i].normal;
+      if (std::abs(offset) > kLongBaseline * circle.radius)
+        axis = axisThroughCentres(context.camera, centre, seen, offset, axis);
+      const Eigen::Vector3d second = centre + offset * axis;
+      if (second.z() <= 0 || (context.camera.project(second) - seen).norm() > kCentreError) continue;
+      turnAbout(model, circle, centre, axis, poses);
+    }
+}
+
+void posesOfEllipseLine(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+                        std::vector<Rigid3>* poses) {
+  const auto& [seen, known, order] = pair;
+  const ModelCircle& circle = model.circles[known.circles[order.ellipses[0]]];
+  const Eigen::Vector3d &p = known.points[order.points[0]], &q = known.points[order.points[1]];
+  const Eigen::Vector3d plane =
+      context.camera.ray(seen.points[0]).cross(context.camera.ray(seen.points[1])).normalized();
+  const Eigen::Vector2d direction = (seen.points[1] - seen.points[0]).normalized();
+  for (const Ellipse& ellipse : variants(context.features.ellipses[seen.ellipses[0]].ellipse)) {
+    const CirclePoses solutions = circlePoses(ellipse, context.camera, circle.radius);
+    for (int i = 0; i < solutions.count; ++i)
+      for (double side : {1.0, -1.0}) {
+        const Eigen::Vector3d normal = side * solutions.pose[i].normal;
+        const Rigid3 start = poseOfCircle(circle, solutions.pose[i].centre, normal, 0);
+        // The point of the edge that is farther from the axis must come to lie in the line's plane:
+        // a cos(roll) + b sin(roll) + c = 0.
+        const Eigen::Vector3d lever_p = start * p - solutions.pose[i].centre;
+        const Eigen::Vector3d lever_q = start * q - solutions.pose[i].centre;
+        const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
+          return v - v.dot(normal) * normal;
+        };
+        const Eigen::Vector3d lever =
+            across(lever_p).squaredNorm() > across(lever_q).squaredNorm() ? lever_p : lever_q;
+        const double a = plane.dot(across(lever)), b = plane.dot(normal.cross(lever));
+        const double c = plane.dot(solutions.pose[i].centre + lever.dot(normal) * normal);
+        const double amplitude = std::hypot(a, b);
+        if (amplitude <= 1e-9 || std::abs(c) > amplitude) continue;
+        for (double sign : {1.0, -1.0}) {
+          const double roll = std::atan2(b, a) + sign * std::acos(-c / amplitude);
+          const Rigid3 pose = poseOfCircle(circle, solutions.pose[i].centre, normal, roll);
+          const Eigen::Vector3d p_in_camera = pose * p, q_in_camera = pose * q;
+          if (p_in_camera.z() <= 0 || q_in_camera.z() <= 0) continue;
+          const Eigen::Vector2d u = context.camera.project(p_in_camera),
+                                v = context.camera.project(q_in_camera);
+          const auto distance = [&](const Eigen::Vector2d& at) {
+            const Eigen::Vector2d d = at - seen.points[0];
+            return std::abs(direction.x() * d.y() - direction.y() * d.x());
+          };
+          if (std::max(distance(u), distance(v)) > kLineError || direction.dot(v - u) <= 0) continue;
+          poses->push_back(pose);
+        }
+      }
+  }
+}
+
+}  // namespace monocular_eye_hand
