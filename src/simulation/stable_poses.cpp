@@ -103,6 +103,12 @@ Eigen::Vector3d settle(const Points& points, Eigen::Vector3d down, double thickn
 
 }  // namespace
 
+Eigen::Vector3d centreOfMass(const Mesh& mesh) {
+  const Points points = distinctVertices(mesh);
+  if (points.empty()) throw BadInput("centre of mass: the mesh is empty");
+  return centreOfMass(mesh, points);
+}
+
 std::vector<StablePose> stablePoses(const Mesh& mesh) {
   const Points all = distinctVertices(mesh);
   if (all.size() < 4) throw BadInput("stable poses: the mesh is empty or flat");

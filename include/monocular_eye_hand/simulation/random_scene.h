@@ -16,6 +16,10 @@ struct StablePose {
 /// Throws BadInput when the mesh is empty or flat.
 std::vector<StablePose> stablePoses(const Mesh& mesh);
 
+/// Of the solid a closed mesh bounds; the middle of its vertices when it bounds none. Object frame [m].
+/// Throws BadInput when the mesh is empty.
+Eigen::Vector3d centreOfMass(const Mesh& mesh);
+
 enum class SceneLevel {
   kEasy,    ///< 1-3 parts, plain table
   kMedium,  ///< 3-5 parts, textured table, 1-3 pieces of clutter

@@ -1,0 +1,165 @@
+#include "monocular_eye_hand/simulation/cell_gripper.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/simulation/scene.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+using Polygon = std::vector<Eigen::Vector3d>;
+
+/// Keeps the part with sign * (p[axis] - limit) <= 0 (Sutherland and Hodgman).
+void clip(Polygon* polygon, int axis, double limit, double sign) {
+  Polygon out;
+  const size_t n = polygon->size();
+  for (size_t k = 0; k < n; ++k) {
+    const Eigen::Vector3d &a = (*polygon)[k], &b = (*polygon)[(k + 1) % n];
+    const double da = sign * (a[axis] - limit), db = sign * (b[axis] - limit);
+    if (da <= 0) out.push_back(a);
+    if ((da < 0 && db > 0) || (da > 0 && db < 0)) {
+      out.push_back(a + (b - a) * (da / (da - db)));
+      out.back()[axis] = limit;
+    }
+  }
+  polygon->swap(out);
+}
+
+struct Piece {
+  Polygon polygon;
+  Eigen::Vector3d normal;  // of its triangle, unit
+};
+
+/// The part's surface between the pads, in gripper_tcp.
+std::vector<Piece> between(const Mesh& mesh, const Rigid3& tcp_from_object, const GripperPads& pads,
+                           double opening) {
+  const double low[3] = {-pads.half_width, -opening / 2, pads.z_low};
+  const double high[3] = {pads.half_width, opening / 2, pads.z_high};
+  Polygon points;
+  points.reserve(mesh.vertices.size());
+  for (const Eigen::Vector3d& p : mesh.vertices) points.push_back(tcp_from_object * p);
+  std::vector<Piece> pieces;
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+    const Eigen::Vector3d least = a.cwiseMin(b).cwiseMin(c), most = a.cwiseMax(b).cwiseMax(c);
+    bool apart = false;
+    for (int k = 0; k < 3; ++k) apart = apart || least[k] > high[k] || most[k] < low[k];
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    if (apart || !(normal.norm() > 0)) continue;
+    Polygon polygon{a, b, c};
+    for (int k = 0; k < 3 && !polygon.empty(); ++k) {
+      clip(&polygon, k, high[k], 1);
+      clip(&polygon, k, low[k], -1);
+    }
+    if (!polygon.empty()) pieces.push_back({std::move(polygon), normal.normalized()});
+  }
+  return pieces;
+}
+
+/// The pad at `side` (+1, -1) times y.
+PadContact padContact(const std::vector<Piece>& pieces, double side) {
+  PadContact contact;
+  double outermost = -std::numeric_limits<double>::infinity();
+  for (const Piece& piece : pieces)
+    for (const Eigen::Vector3d& p : piece.polygon) outermost = std::max(outermost, side * p.y());
+  if (!std::isfinite(outermost)) return contact;
+  contact.touched = true;
+  contact.y = side * outermost;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+  for (const Piece& piece : pieces) {
+    const double facing = side * piece.normal.y();
+    if (facing <= 0) continue;
+    Polygon patch = piece.polygon;
+    clip(&patch, 1, side * (outermost - kPadCompliance), -side);
+    for (size_t k = 1; k + 1 < patch.size(); ++k) {
+      const double area = (patch[k] - patch[0]).cross(patch[k + 1] - patch[0]).norm() / 2;
+      contact.area += area * facing;
+      centre += area * facing * (patch[0] + patch[k] + patch[k + 1]) / 3;
+      normal += area * piece.normal;
+    }
+  }
+  if (contact.area > 0) contact.centre = centre / contact.area, contact.normal = normal.normalized();
+  return contact;
+}
+
+std::vector<Eigen::Vector3d> fingerPoints(const ArmLink& link, const Rigid3& tcp_from_link) {
+  std::vector<Eigen::Vector3d> points;
+  for (const ArmShape& shape : link.collision)
+    for (const Eigen::Vector3d& p : solidMesh(shape).vertices) points.push_back(tcp_from_link * p);
+  return points;
+}
+
+}  // namespace
+
+Mesh solidMesh(const ArmShape& shape) {
+  Mesh mesh;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  if (shape.kind == ArmShape::Kind::kMesh) {
+    if (!shape.mesh) throw BadInput("arm description: a mesh solid has no mesh");
+    mesh = *shape.mesh;
+  } else if (shape.kind == ArmShape::Kind::kBox) {
+    mesh = boxMesh(shape.size);
+    shift.z() = -shape.size.z() / 2;  // URDF solids are centred, these stand on their base
+  } else {
+    mesh = cylinderMesh(shape.size.x(), shape.size.z(), 48);
+    shift.z() = -shape.size.z() / 2;
+  }
+  for (Eigen::Vector3d& p : mesh.vertices) p = shape.link_from_shape * (p + shift);
+  return mesh;
+}
+
+GripperPads gripperPads(const ArmDescription& arm) {
+  constexpr double kInPlane = 5e-4;
+  const double width = arm.gripper_width_max;
+  const std::vector<Rigid3> base_from_link = arm.baseFromLinks(JointVector::Zero(), width);
+  const Rigid3 tcp_from_base = base_from_link[size_t(arm.link("gripper_tcp"))].inverse();
+  GripperPads pads{1e9, -1e9, 1e9};
+  bool found[2] = {false, false};
+  for (size_t k = 0; k < arm.links.size(); ++k) {
+    if (arm.links[k].finger == 0 || arm.links[k].collision.empty()) continue;
+    const auto points = fingerPoints(arm.links[k], tcp_from_base * base_from_link[k]);
+    double mean = 0, inner = 1e9;
+    for (const Eigen::Vector3d& p : points) mean += p.y() / double(points.size());
+    for (const Eigen::Vector3d& p : points) inner = std::min(inner, std::abs(p.y()));
+    if (std::abs(inner - width / 2) > 1e-3)
+      throw BadInput("arm description: the pad of " + arm.links[k].name + " is " + std::to_string(inner) +
+                     " m from gripper_tcp at an opening of " + std::to_string(width) +
+                     " m; it must be half the opening");
+    double x = 0, low = 1e9, high = -1e9;
+    for (const Eigen::Vector3d& p : points) {
+      if (std::abs(p.y()) > inner + kInPlane) continue;
+      x = std::max(x, std::abs(p.x())), low = std::min(low, p.z()), high = std::max(high, p.z());
+    }
+    pads = {std::min(pads.half_width, x), std::max(pads.z_low, low), std::min(pads.z_high, high)};
+    found[mean > 0] = true;
+  }
+  if (!found[0] || !found[1] || !(pads.area() > 0) || !(pads.z_high > pads.z_low))
+    throw BadInput(
+        "arm description: two fingers with pads that face each other along y of gripper_tcp needed");
+  return pads;
+}
+
+GripContact gripContact(const Mesh& mesh, const Rigid3& tcp_from_object, const GripperPads& pads,
+                        double opening) {
+  const std::vector<Piece> pieces = between(mesh, tcp_from_object, pads, opening);
+  return {padContact(pieces, -1), padContact(pieces, 1)};
+}
+
+std::string gripWeakness(const GripContact& contact, const GripperPads& pads, double friction) {
+  if (!contact.low.touched || !contact.high.touched) return "nothing between the pads";
+  const double least = kLeastPadShare * pads.area();
+  if (contact.low.area < least || contact.high.area < least) return "a pad meets too little of the part";
+  const double cone = 1 / std::sqrt(1 + friction * friction);  // cosine of its half angle
+  const Eigen::Vector3d line = (contact.high.centre - contact.low.centre).normalized();
+  if (line.dot(contact.high.normal) < cone || -line.dot(contact.low.normal) < cone)
+    return "the part's faces are not opposite enough for friction to hold it";
+  if (contact.high.normal.y() < cone || -contact.low.normal.y() < cone)
+    return "the part's faces are too oblique to the pads";
+  return "";
+}
+
+}  // namespace monocular_eye_hand
