@@ -1,0 +1,324 @@
+#include "monocular_eye_hand/eye_hand/object_map.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+#include "expected.h"
+#include "monocular_eye_hand/geometry/covariance.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/equal_poses.h"
+#include "monocular_eye_hand/model/free_turns.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+std::string label(const MappedObject& object) { return object.name + " " + std::to_string(object.number); }
+
+void checkView(const ObjectView& view, const ModelBase& models) {
+  if (!std::isfinite(view.stamp)) throw BadInput("the view's stamp is not finite");
+  view.camera.check();
+  requirePose(view.hand.base_from_tool0, "base_from_tool0");
+  if (!view.hand.jacobian.allFinite()) throw BadInput("the arm's Jacobian is not finite");
+  requirePose(view.hand_eye.tool0_from_camera, "tool0_from_camera");
+  requireCovariance(view.hand_eye.covariance, "covariance of tool0_from_camera");
+  for (const SeenObject& seen : view.objects) {
+    if (seen.object < 0 || seen.object >= int(models.objects.size()))
+      throw BadInput("object " + std::to_string(seen.object) + " is not in the model base (" +
+                     models.names() + "); recognition and eye-hand must load the same one");
+    const std::string& name = models.objects[size_t(seen.object)].model.name;
+    requirePose(seen.camera_from_object, ("camera_from_object of " + name).c_str());
+    requireCovariance(seen.covariance, ("covariance of " + name).c_str());
+    if (!(seen.probability >= 0 && seen.probability <= 1))
+      throw BadInput("probability of " + name + " = " + std::to_string(seen.probability) +
+                     " must be between 0 and 1");
+  }
+}
+
+}  // namespace
+
+ObjectMap::ObjectMap(const ModelBase* models, const ObjectMapOptions& options)
+    : models_(models), options_(options) {
+  options.check();
+  next_number_.assign(models->objects.size(), 0);
+}
+
+ViewReport ObjectMap::add(const ObjectView& view) {
+  checkView(view, *models_);
+  ViewReport report;
+  report.decisions.resize(view.objects.size());
+  for (size_t i = 0; i < view.objects.size(); ++i) report.decisions[i].object = view.objects[i].object;
+  if (started_ && view.stamp <= last_stamp_) {
+    std::ostringstream text;
+    text << "the view of " << view.stamp << " s is not newer than the last one of " << last_stamp_
+         << " s; clear the map when time starts again";
+    report.refused = text.str();
+    for (ViewDecision& decision : report.decisions) decision.reason = report.refused;
+    return report;
+  }
+  started_ = true;
+  last_stamp_ = view.stamp;
+  hand_eye_covariance_ = view.hand_eye.covariance.isZero(0)
+                             ? handEye(view.hand_eye.tool0_from_camera, options_.hand_eye).covariance
+                             : view.hand_eye.covariance;
+
+  std::vector<Sighting> sightings;
+  std::vector<size_t> source;
+  for (size_t i = 0; i < view.objects.size(); ++i) {
+    if (view.objects[i].probability < options_.min_probability) {
+      std::ostringstream text;
+      text << "probability " << view.objects[i].probability << " is below min_probability "
+           << options_.min_probability;
+      report.decisions[i].reason = text.str();
+      continue;
+    }
+    sightings.push_back(sighting(view, view.objects[i]));
+    source.push_back(i);
+  }
+  std::vector<double> chi_squares;
+  const std::vector<int> track_of = associate(sightings, &chi_squares);
+  std::vector<char> met(tracks_.size(), 0);
+  for (size_t k = 0; k < sightings.size(); ++k) {
+    ViewDecision& decision = report.decisions[source[k]];
+    if (track_of[k] >= 0) {
+      met[size_t(track_of[k])] = 1;
+      decision = meet(&tracks_[size_t(track_of[k])], sightings[k], chi_squares[k], view.stamp);
+    } else {
+      tracks_.push_back(started(sightings[k], view.stamp));
+      met.push_back(1);
+      MappedObject& object = tracks_.back().object;
+      object.number = next_number_[size_t(object.object)]++;
+      decision.outcome = ViewOutcome::kNew;
+      decision.number = object.number;
+      decision.reason = "no known " + object.name + " is there";
+    }
+  }
+  countMisses(view, met, &report);
+  for (Track& track : tracks_) publish(&track);
+  return report;
+}
+
+ObjectMap::Sighting ObjectMap::sighting(const ObjectView& view, const SeenObject& seen) const {
+  const Chain c = chain(view.hand.base_from_tool0, view.hand_eye.tool0_from_camera, seen.camera_from_object);
+  Sighting s;
+  s.object = seen.object;
+  s.probability = seen.probability;
+  s.base_from_object = c.base_from_object;
+  s.base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
+  Matrix6d covariance = seen.covariance;
+  covariance.diagonal().head<3>().array() += options_.floor_position * options_.floor_position;
+  covariance.diagonal().tail<3>().array() += options_.floor_rotation * options_.floor_rotation;
+  s.image = heldCovariance(model(s.object), s.base_from_object, carried(c.image, covariance));
+  s.hand_eye = c.hand_eye;
+  s.joints = c.arm * view.hand.jacobian;
+  return s;
+}
+
+ObjectMap::Sighting ObjectMap::equalSighting(const Sighting& sighting, const Rigid3& wanted) const {
+  Sighting equal = sighting;
+  equal.base_from_object = nearestEqualPose(model(sighting.object), sighting.base_from_object, wanted);
+  // A symmetry may move the object frame's origin, about which the rotations are taken.
+  const Matrix6d moved =
+      motionAtOffset(equal.base_from_object.translation - sighting.base_from_object.translation);
+  equal.image = carried(moved, sighting.image);
+  equal.hand_eye = moved * sighting.hand_eye;
+  equal.joints = moved * sighting.joints;
+  return equal;
+}
+
+double ObjectMap::centreDistance(const Sighting& a, const Sighting& b) const {
+  const Eigen::Vector3d centre = model(a.object).centre();
+  const Sighting equal = equalSighting(b, a.base_from_object);
+  return (a.base_from_object * centre - equal.base_from_object * centre).norm();
+}
+
+double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
+  const Sighting equal = equalSighting(b, a.base_from_object);
+  const Vector6d gap = difference(a.base_from_object, equal.base_from_object);
+  // Common errors cancel as far as both views see them alike.
+  const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
+  Matrix6d spread = a.image + equal.image + carried(a.hand_eye - equal.hand_eye, hand_eye_covariance_) +
+                    carried(a.joints - equal.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
+  spread.diagonal().head<3>().array() += 2 * options_.arm.position_sigma * options_.arm.position_sigma;
+  spread = freedCovariance(model(a.object), a.base_from_object, spread);
+  return gap.dot(spread.ldlt().solve(gap));
+}
+
+double ObjectMap::reach(int object) const {
+  return options_.same_place * model(object).bounds.sizes().minCoeff();
+}
+
+std::vector<int> ObjectMap::associate(const std::vector<Sighting>& sightings,
+                                      std::vector<double>* chi_squares) const {
+  std::vector<std::tuple<bool, double, size_t, size_t>>
+      pairs;  // outside the gate, chi square, track, sighting
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    const Sighting& known = tracks_[t].merged;
+    for (size_t k = 0; k < sightings.size(); ++k) {
+      if (sightings[k].object != known.object) continue;
+      const double distance = centreDistance(known, sightings[k]);
+      const double chi_square = chiSquare(known, sightings[k]);
+      const bool outside = !(chi_square <= options_.gate);
+      if (distance <= reach(known.object) || (!outside && distance <= options_.max_distance))
+        pairs.emplace_back(outside, chi_square, t, k);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<int> track_of(sightings.size(), -1);
+  std::vector<char> taken(tracks_.size(), 0);
+  chi_squares->assign(sightings.size(), -1);
+  for (const auto& [outside, chi_square, t, k] : pairs) {
+    if (taken[t] || track_of[k] >= 0) continue;
+    taken[t] = 1;
+    track_of[k] = int(t);
+    (*chi_squares)[k] = chi_square;
+  }
+  return track_of;
+}
+
+ViewDecision ObjectMap::meet(Track* track, const Sighting& seen, double chi_square, double stamp) const {
+  if (!(chi_square <= options_.gate)) return contradict(track, seen, chi_square, stamp);
+  ViewDecision decision;
+  decision.object = seen.object;
+  decision.number = track->object.number;
+  decision.chi_square = chi_square;
+  track->outliers.clear();
+  track->object.misses = 0;
+  track->object.last_stamp = stamp;
+  track->merged.probability = std::max(track->merged.probability, seen.probability);
+  const bool same_camera = std::any_of(
+      track->base_from_cameras.begin(), track->base_from_cameras.end(), [&](const Rigid3& camera) {
+        return (camera.translation - seen.base_from_camera.translation).norm() <= options_.min_motion &&
+               angleBetween(camera.rotation, seen.base_from_camera.rotation) <= options_.min_turn;
+      });
+  if (same_camera) {
+    decision.outcome = ViewOutcome::kSeenAgain;
+    decision.reason = "seen from this camera place already: its error is the same";
+  } else {
+    merge(track, equalSighting(seen, track->merged.base_from_object));
+    decision.outcome = ViewOutcome::kMerged;
+    decision.reason = "agrees with " + label(track->object);
+  }
+  return decision;
+}
+
+ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double chi_square,
+                                   double stamp) const {
+  ViewDecision decision;
+  decision.object = seen.object;
+  decision.number = track->object.number;
+  decision.chi_square = chi_square;
+  std::ostringstream text;
+  text << "chi-square " << chi_square << " against " << label(track->object) << " is above the gate of "
+       << options_.gate;
+  const auto disagrees = [&](const Sighting& other) { return !(chiSquare(other, seen) <= options_.gate); };
+  if (std::any_of(track->outliers.begin(), track->outliers.end(), disagrees)) track->outliers.clear();
+  track->outliers.push_back(seen);
+  track->object.misses = 0;  // something of this name is there
+  if (int(track->outliers.size()) < options_.outliers_to_restart) {
+    decision.outcome = ViewOutcome::kOutlier;
+    decision.reason = text.str();
+    return decision;
+  }
+  const int number = track->object.number;
+  *track = started(seen, stamp);
+  track->object.number = number;
+  decision.outcome = ViewOutcome::kRestarted;
+  decision.reason = text.str() + "; so many views in a row agree on another pose: it was moved";
+  return decision;
+}
+
+ObjectMap::Track ObjectMap::started(const Sighting& seen, double stamp) const {
+  Track track;
+  const ObjectModel& shape = model(seen.object);
+  track.merged = seen;
+  track.object.object = seen.object;
+  track.object.name = shape.name;
+  track.object.free_axis = shape.symmetries.axis.has_value() || shape.symmetries.sphere;
+  track.object.views = 1;
+  track.object.first_stamp = track.object.last_stamp = stamp;
+  track.base_from_cameras = {seen.base_from_camera};
+  return track;
+}
+
+void ObjectMap::merge(Track* track, const Sighting& seen) const {
+  const ObjectModel& shape = model(seen.object);
+  Sighting& merged = track->merged;
+  // Free angles agree by choice of the equal pose; freed, they keep the sum invertible.
+  const Matrix6d known = freedCovariance(shape, merged.base_from_object, merged.image);
+  const Matrix6d sum = known + freedCovariance(shape, seen.base_from_object, seen.image);
+  const Matrix6d gain = sum.ldlt().solve(known).transpose();
+  const Matrix6d rest = Matrix6d::Identity() - gain;
+  Rigid3& pose = merged.base_from_object;
+  pose = perturbed(pose, gain * difference(pose, seen.base_from_object));
+  pose.rotation = nearestRotation(pose.rotation);
+  merged.image = heldCovariance(shape, pose, carried(rest, merged.image) + carried(gain, seen.image));
+  merged.hand_eye = rest * merged.hand_eye + gain * seen.hand_eye;
+  merged.joints = rest * merged.joints + gain * seen.joints;
+  track->base_from_cameras.push_back(seen.base_from_camera);
+  ++track->object.views;
+}
+
+void ObjectMap::publish(Track* track) const {
+  MappedObject& object = track->object;
+  const Sighting& merged = track->merged;
+  const ObjectModel& shape = model(object.object);
+  const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
+  Matrix6d total = merged.image + carried(merged.hand_eye, hand_eye_covariance_) +
+                   carried(merged.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
+  total.diagonal().head<3>().array() += options_.arm.position_sigma * options_.arm.position_sigma;
+  object.base_from_object = merged.base_from_object;
+  object.probability = merged.probability;
+  object.covariance = freedCovariance(shape, object.base_from_object, total);
+  object.image_covariance = freedCovariance(shape, object.base_from_object, merged.image);
+  object.outliers = int(track->outliers.size());
+}
+
+void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met, ViewReport* report) {
+  if (!view.complete) return;
+  const Rigid3 base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
+  std::vector<PlacedModel> placed;
+  for (const Track& track : tracks_)
+    placed.push_back({&model(track.object.object), track.merged.base_from_object});
+  std::vector<Track> kept;
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    Track& track = tracks_[t];
+    if (!met[t] && expectedInView(placed, t, view.camera, base_from_camera, options_)) ++track.object.misses;
+    if (track.object.misses >= options_.forget_after_misses) {
+      publish(&track);
+      report->forgotten.push_back(track.object);
+    } else {
+      kept.push_back(std::move(track));
+    }
+  }
+  tracks_ = std::move(kept);
+}
+
+std::vector<MappedObject> ObjectMap::objects() const {
+  std::vector<MappedObject> objects;
+  for (const Track& track : tracks_) objects.push_back(track.object);
+  std::sort(objects.begin(), objects.end(), [](const MappedObject& a, const MappedObject& b) {
+    return std::tie(a.object, a.number) < std::tie(b.object, b.number);
+  });
+  return objects;
+}
+
+bool ObjectMap::forget(int object, int number) {
+  const auto wanted = [&](const Track& track) {
+    return track.object.object == object && track.object.number == number;
+  };
+  const auto it = std::find_if(tracks_.begin(), tracks_.end(), wanted);
+  if (it == tracks_.end()) return false;
+  tracks_.erase(it);
+  return true;
+}
+
+void ObjectMap::clear() {
+  tracks_.clear();
+  std::fill(next_number_.begin(), next_number_.end(), 0);
+  started_ = false;
+}
+
+}  // namespace monocular_eye_hand

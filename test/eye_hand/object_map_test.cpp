@@ -1,0 +1,203 @@
+#include "monocular_eye_hand/eye_hand/object_map.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "map_world.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/options/options.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+using namespace map_world;
+using testing::HasSubstr;
+
+const Eigen::Vector3d kTarget(0.45, 0, 0);
+const Eigen::Vector3d kLeft = kTarget + Eigen::Vector3d(0, 0.2, 0.5),
+                      kRight = kTarget + Eigen::Vector3d(0, -0.2, 0.5),
+                      kFar = kTarget + Eigen::Vector3d(-0.2, 0, 0.6),
+                      kNear = kTarget + Eigen::Vector3d(0.1, 0.1, 0.45);
+
+TEST(ObjectMap, TwoOfANameKeepTheirNumbers) {
+  ObjectMap map(&models());
+  const Rigid3 a = upright(0.40, 0.06), b = upright(0.50, -0.06, 1), c = upright(0.45, 0.0);
+  ViewReport report = map.add(view(1, kLeft, kTarget, {{kBridge, a}, {kBridge, b}, {kFlange, c}}));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kNew);
+  EXPECT_EQ(report.decisions[1].number, 1);
+  EXPECT_EQ(report.decisions[2].number, 0);
+  report = map.add(view(2, kRight, kTarget, {{kFlange, c}, {kBridge, b}, {kBridge, a}}));
+  EXPECT_EQ(report.decisions[0].number, 0);
+  EXPECT_EQ(report.decisions[1].number, 1);
+  EXPECT_EQ(report.decisions[2].number, 0);
+  for (const ViewDecision& d : report.decisions) EXPECT_EQ(d.outcome, ViewOutcome::kMerged) << d.reason;
+  ASSERT_EQ(map.objects().size(), 3u);
+  EXPECT_EQ(map.objects()[0].name, "bridge");
+  EXPECT_EQ(map.objects()[2].name, "flange");
+  EXPECT_NEAR((map.objects()[1].base_from_object.translation - b.translation).norm(), 0, 1e-9);
+}
+
+TEST(ObjectMap, TheSamePlaceAgainIsNoNewKnowledge) {
+  ObjectMap map(&models());
+  map.add(view(1, kLeft, kTarget, {{kBridge, upright(0.45, 0)}}));
+  const Matrix6d before = map.objects()[0].covariance;
+  const ViewReport report = map.add(view(2, kLeft, kTarget, {{kBridge, upright(0.4505, 0)}}));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kSeenAgain);
+  EXPECT_EQ(map.objects()[0].covariance, before);
+  EXPECT_EQ(map.objects()[0].views, 1);
+  EXPECT_EQ(map.objects()[0].last_stamp, 2);
+}
+
+TEST(ObjectMap, AnOutlierIsLeftOutAndAMovedObjectFollowed) {
+  ObjectMap map(&models());
+  const Rigid3 there = upright(0.45, 0), pushed = upright(0.46, 0.01, 0.2);
+  map.add(view(1, kLeft, kTarget, {{kBridge, there}}));
+  map.add(view(2, kRight, kTarget, {{kBridge, there}}));
+  ViewReport report = map.add(view(3, kFar, kTarget, {{kBridge, pushed}}));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kOutlier);
+  EXPECT_GT(report.decisions[0].chi_square, 30);
+  EXPECT_THAT(report.decisions[0].reason, HasSubstr("above the gate of 30"));
+  EXPECT_EQ(map.objects()[0].outliers, 1);
+  EXPECT_LT(difference(map.objects()[0].base_from_object, there).norm(), 1e-9);
+  report = map.add(view(4, kNear, kTarget, {{kBridge, there}}));  // a single one is forgotten again
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kMerged);
+  EXPECT_EQ(map.objects()[0].outliers, 0);
+  map.add(view(5, kFar, kTarget, {{kBridge, pushed}}));
+  report = map.add(view(6, kRight, kTarget, {{kBridge, pushed}}));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kRestarted);
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].number, 0);
+  EXPECT_EQ(map.objects()[0].views, 1);
+  EXPECT_LT(difference(map.objects()[0].base_from_object, pushed).norm(), 1e-9);
+}
+
+TEST(ObjectMap, OutliersThatContradictEachOtherDoNotMoveIt) {
+  ObjectMap map(&models());
+  map.add(view(1, kLeft, kTarget, {{kBridge, upright(0.45, 0)}}));
+  for (int k = 0; k < 6; ++k) {
+    const Rigid3 elsewhere = upright(0.45 + (k % 2 ? 0.012 : -0.012), 0, k % 2 ? 0.3 : -0.3);
+    const ViewReport report = map.add(view(2 + k, kRight, kTarget, {{kBridge, elsewhere}}));
+    EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kOutlier);
+  }
+  EXPECT_EQ(map.objects().at(0).base_from_object.translation.x(), 0.45);
+}
+
+TEST(ObjectMap, WhatShouldHaveBeenSeenIsForgotten) {
+  ObjectMap map(&models());
+  const Rigid3 a = upright(0.40, 0.08), b = upright(0.50, -0.08);
+  map.add(view(1, kLeft, kTarget, {{kBridge, a}, {kBridge, b}}));
+  ViewReport report = map.add(view(2, kRight, kTarget, {{kBridge, a}}));
+  EXPECT_TRUE(report.forgotten.empty());
+  EXPECT_EQ(map.objects()[1].misses, 1);
+  report = map.add(view(3, kFar, kTarget, {{kBridge, a}}));
+  ASSERT_EQ(report.forgotten.size(), 1u);
+  EXPECT_EQ(report.forgotten[0].number, 1);
+  ASSERT_EQ(map.objects().size(), 1u);
+  // Its number is not given to another one.
+  report = map.add(view(4, kNear, kTarget, {{kBridge, a}, {kBridge, b}}));
+  EXPECT_EQ(report.decisions[1].number, 2);
+}
+
+TEST(ObjectMap, WhatCouldNotBeSeenIsKept) {
+  ObjectMap map(&models());
+  const Rigid3 a = upright(0.45, 0);
+  map.add(view(1, kLeft, kTarget, {{kBridge, a}}));
+  for (int k = 0; k < 4; ++k)  // out of the image
+    map.add(view(2 + k, kTarget + Eigen::Vector3d(0.8, 0, 0.3), kTarget + Eigen::Vector3d(0.8, 0, 0), {}));
+  EXPECT_EQ(map.objects().at(0).misses, 0);
+  map.add(view(10, kTarget + Eigen::Vector3d(0, 0, 9), kTarget, {}));  // too small
+  EXPECT_EQ(map.objects().at(0).misses, 0);
+  ObjectView broken_off = view(11, kRight, kTarget, {});
+  broken_off.complete = false;
+  map.add(broken_off);
+  EXPECT_EQ(map.objects().at(0).misses, 0);
+  map.add(view(12, kRight, kTarget, {}));
+  EXPECT_EQ(map.objects().at(0).misses, 1);
+}
+
+TEST(ObjectMap, WhatAnotherObjectHidesIsKept) {
+  // A low camera looks along y: the second bridge stands before the first.
+  const Rigid3 back = upright(0.45, 0.06), front = upright(0.45, -0.06);
+  const Eigen::Vector3d above(0.45, 0, 0.6), low(0.45, -0.5, 0.015);
+  for (const bool hidden : {true, false}) {
+    ObjectMap map(&models());
+    std::vector<std::pair<int, Rigid3>> first{{kBridge, back}}, second;
+    if (hidden) first.push_back({kBridge, front}), second.push_back({kBridge, front});
+    map.add(view(1, above, kTarget, first));
+    ASSERT_EQ(map.objects().size(), first.size());
+    map.add(view(2, low, {0.45, 0, 0.015}, second));
+    EXPECT_EQ(map.objects().at(0).misses, hidden ? 0 : 1);
+  }
+}
+
+TEST(ObjectMap, RefusesWithReasons) {
+  ObjectMap map(&models());
+  ObjectView v = view(5, kLeft, kTarget, {{kBridge, upright(0.45, 0)}});
+  v.objects[0].probability = 0.2;
+  ViewReport report = map.add(v);
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kRefused);
+  EXPECT_THAT(report.decisions[0].reason, HasSubstr("probability 0.2 is below min_probability 0.5"));
+  EXPECT_TRUE(map.objects().empty());
+  report = map.add(view(5, kRight, kTarget, {{kBridge, upright(0.45, 0)}}));
+  EXPECT_THAT(report.refused, HasSubstr("not newer"));
+  EXPECT_TRUE(map.objects().empty());
+  map.clear();
+  EXPECT_TRUE(map.add(view(1, kRight, kTarget, {{kBridge, upright(0.45, 0)}})).refused.empty());
+  EXPECT_TRUE(map.forget(kBridge, 0));
+  EXPECT_FALSE(map.forget(kBridge, 0));
+}
+
+TEST(ObjectMap, SameViewsSameMap) {
+  const auto run = [] {
+    ObjectMap map(&models());
+    for (int k = 0; k < 5; ++k)
+      map.add(view(k, kTarget + Eigen::Vector3d(0.1 * std::cos(k), 0.1 * std::sin(k), 0.5), kTarget,
+                   {{kBridge, upright(0.40 + 1e-4 * k, 0.08)}, {kFlange, upright(0.5, -0.05, k)}}));
+    return map.objects();
+  };
+  const auto a = run(), b = run();
+  ASSERT_EQ(a.size(), b.size());
+  for (size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].base_from_object.translation, b[k].base_from_object.translation);
+    EXPECT_EQ(a[k].covariance, b[k].covariance);
+  }
+}
+
+template <class Function>
+std::string failure(const Function& function) {
+  try {
+    function();
+  } catch (const BadInput& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(ObjectMap, BadInputLeavesTheMapAlone) {
+  ObjectMap map(&models());
+  map.add(view(1, kLeft, kTarget, {{kBridge, upright(0.45, 0)}}));
+  const auto refused = [&](const std::function<void(ObjectView*)>& spoil) {
+    ObjectView v = view(2, kRight, kTarget, {{kBridge, upright(0.45, 0)}});
+    spoil(&v);
+    return failure([&] { map.add(v); });
+  };
+  EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].object = 9; }),
+              HasSubstr("object 9 is not in the model base"));
+  EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].covariance(0, 0) = NAN; }),
+              HasSubstr("covariance of bridge is not finite"));
+  EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].camera_from_object.rotation *= 2; }),
+              HasSubstr("no rotation"));
+  EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].probability = 2; }), HasSubstr("between 0 and 1"));
+  EXPECT_THAT(refused([](ObjectView* v) { v->stamp = NAN; }), HasSubstr("stamp"));
+  EXPECT_THAT(refused([](ObjectView* v) { v->camera.width = 0; }), HasSubstr("width"));
+  EXPECT_THAT(refused([](ObjectView* v) { v->hand.jacobian(0, 0) = NAN; }), HasSubstr("Jacobian"));
+  EXPECT_EQ(map.objects().at(0).last_stamp, 1);
+  ObjectMapOptions options;
+  EXPECT_THAT(failure([&] { readOptions(parseYaml("gate: 0"), &options); }),
+              HasSubstr("gate = 0 must be above 0"));
+  EXPECT_THAT(failure([&] { readOptions(parseYaml("arm: {position_sigma: -1}"), &options); }),
+              HasSubstr("position_sigma"));
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
