@@ -56,6 +56,7 @@ KnownObject compile(const ObjectEntry& entry, const ViewOptions& views, const st
     if (!folder.empty()) writeCache(folder, name, parts);
   }
   object.views = std::move(parts.views);
+  object.handling = entry.handling;
   return object;
 }
 

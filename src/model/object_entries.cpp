@@ -5,6 +5,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "read_handling.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -60,11 +61,14 @@ ObjectEntry readEntry(const YAML::Node& node, const std::string& yaml_path, cons
       entry.mesh = beside(yaml_path, text(value, key, where));
     } else if (key == "unit") {
       entry.unit = text(value, key, where);
+    } else if (readHandling(key, value, where, &entry.handling)) {
+      continue;
     } else {
       FillOption fill(key, value, where);
       entry.options.visit(fill);
       if (!fill.found())
-        throw BadInput(where + ": unknown key \"" + key + "\"; known: name, mesh, unit" + fill.known());
+        throw BadInput(where + ": unknown key \"" + key + "\"; known: name, mesh, unit" + fill.known() +
+                       ", grasp, obstacle, grasps");
     }
   }
   if (entry.name.empty()) throw BadInput(where + ": the key \"name\" is missing");
@@ -77,6 +81,7 @@ ObjectEntry readEntry(const YAML::Node& node, const std::string& yaml_path, cons
   try {
     metresPerUnit(entry.unit);
     entry.options.check();
+    finishHandling(&entry.handling);
   } catch (const BadInput& e) {
     throw BadInput(where + " (" + entry.name + "): " + e.what());
   }

@@ -36,10 +36,26 @@ Mesh loadMesh(const std::string& path, const std::string& unit);
 /// empty mesh.
 ObjectModel buildModel(const std::string& name, const Mesh& mesh, const ModelOptions& options = {});
 
+/// A grasp that the user gives: where the hand goes, in the object's frame.
+struct GivenGrasp {
+  Rigid3 object_from_tcp;  ///< gripper_tcp: z out of the hand, y from pad to pad
+  double width = 0;        ///< between the faces that the pads touch [m]
+  int turns = 1;           ///< the grasp serves so many times, evenly turned about `axis`
+  SymmetryAxis axis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()};
+};
+
+/// What a robot may do with an object.
+struct Handling {
+  bool grasp = true;               ///< false: never grasped
+  bool obstacle = false;           ///< true: something that other things lie in; implies grasp = false
+  std::vector<GivenGrasp> grasps;  ///< empty: sampled from the CAD model
+};
+
 /// A known object with everything recognition needs, compiled once.
 struct KnownObject {
   ObjectModel model;
   ViewSphere views;
+  Handling handling{};
 };
 
 /// The known objects. Names are unique.
@@ -55,10 +71,11 @@ struct ObjectEntry {
   std::string mesh;  ///< path, absolute or relative to the YAML
   std::string unit = "mm";
   ModelOptions options;
+  Handling handling{};
 };
 
-/// Reads the list of objects of config/objects.yaml: `objects: [{name, mesh, unit, ...overrides}]`. Unknown
-/// keys, double names and missing files are BadInput.
+/// Reads the list of objects of config/objects.yaml: `objects: [{name, mesh, unit, grasp, obstacle, grasps,
+/// ...overrides}]`. Unknown keys, double names and missing files are BadInput.
 std::vector<ObjectEntry> readObjectEntries(const std::string& yaml_path);
 
 /// Builds and compiles the entries, using the cache folder ("" = $XDG_CACHE_HOME or ~/.cache,
