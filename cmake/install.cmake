@@ -11,6 +11,7 @@ endif()
 install(DIRECTORY include/${PROJECT_NAME}/
   DESTINATION ${MONOCULAR_EYE_HAND_INCLUDE_DESTINATION}/${PROJECT_NAME} FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY config models data DESTINATION ${share})
+install(DIRECTORY urdf DESTINATION ${share} FILES_MATCHING PATTERN "*.urdf" PATTERN "*.stl")
 if(MONOCULAR_EYE_HAND_WITH_ROS)
   install(DIRECTORY launch rviz DESTINATION ${share})
 else()  # catkin writes its own package configuration

@@ -15,6 +15,7 @@ struct ArmShape {
   Rigid3 link_from_shape;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< box: x, y, z; cylinder: radius, radius, length [m]
   std::shared_ptr<const Mesh> mesh;                ///< kMesh: in the shape's frame [m]
+  Eigen::Vector3d colour{0.7, 0.7, 0.7};           ///< red, green, blue, 0 to 1; of visual shapes
 };
 
 /// One link of the URDF: where it hangs and what it is made of.
@@ -39,11 +40,21 @@ struct ArmDescription {
   int link(const std::string& name) const;  ///< throws BadInput naming the link when there is none
   /// Pose of every link at these joint angles and this opening between the finger pads.
   std::vector<Rigid3> baseFromLinks(const JointVector& joints, double gripper_width) const;
+  /// The same into a vector that is kept: no allocation after the first call.
+  void baseFromLinks(const JointVector& joints, double gripper_width,
+                     std::vector<Rigid3>* base_from_links) const;
 };
 
-/// Reads a URDF with the links base_link, tool0, gripper_tcp and camera_optical_frame, revolute joints joint1
-/// to joint6 and two prismatic finger joints (urdfdom). Mesh paths may be package://monocular_eye_hand/...,
-/// found from the URDF's own folder, or relative to it. Throws BadInput naming what is missing or wrong.
+/// Reads a URDF (urdfdom) whose root is base_link; with the links tool0, gripper_tcp and
+/// camera_optical_frame, all three fixed to each other; revolute joints joint1 to joint6 from base_link to
+/// tool0, and two prismatic finger joints along y of gripper_tcp, one of which mimics the other and whose
+/// value 0 is the closed gripper. Mesh paths are package://<package>/<path>, looked for in the URDF's folder
+/// and those above it, or relative to its folder. Throws BadInput naming the file and what is missing or
+/// wrong.
 ArmDescription loadArmDescription(const std::string& urdf_path);
+
+/// Throws BadInput when tool0 of the description and of the kinematics are not at the same place (1e-6 m and
+/// rad) at some joint angles: lengths were changed in one of the two only.
+void requireSameArm(const ArmDescription& description, const Puma560& arm);
 
 }  // namespace monocular_eye_hand

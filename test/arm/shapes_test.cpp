@@ -1,0 +1,156 @@
+// The shapes of urdf/puma560.urdf: what planning avoids (collision) against what one sees (visual).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "monocular_eye_hand/arm/arm_description.h"
+#include "urdf_world.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kGrid = 0.008;      // between samples on a triangle [m]
+constexpr double kOutside = 0.0005;  // visual may stand out of the collision shapes by this [m]
+constexpr double kSlack = 0.005;     // collision may stand out of the visual shapes by this [m]
+
+const ArmDescription& description() {
+  static const ArmDescription arm = loadArmDescription(urdfPath());
+  return arm;
+}
+
+/// Points on the surface, in the link's frame.
+std::vector<Vector3d> surfaceOf(const ArmShape& shape) {
+  const Mesh mesh = meshOf(shape);
+  std::vector<Vector3d> points;
+  for (const auto& t : mesh.triangles) {
+    const Vector3d a = mesh.vertices[size_t(t[0])], ab = mesh.vertices[size_t(t[1])] - a,
+                   ac = mesh.vertices[size_t(t[2])] - a;
+    const int n = 1 + int(std::max(ab.norm(), ac.norm()) / kGrid);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j)
+        points.push_back(shape.link_from_shape * Vector3d(a + ab * i / n + ac * j / n));
+  }
+  return points;
+}
+
+/// How far p lies outside the box or cylinder; negative inside.
+double outside(const ArmShape& shape, const Vector3d& p) {
+  const Vector3d q = shape.link_from_shape.inverse() * p;
+  const double along = std::abs(q.z()) - shape.size.z() / 2;
+  if (shape.kind == ArmShape::Kind::kCylinder) return std::max(along, q.head<2>().norm() - shape.size.x());
+  return std::max({along, std::abs(q.x()) - shape.size.x() / 2, std::abs(q.y()) - shape.size.y() / 2});
+}
+
+/// Distance to a triangle: the nearest of its plane's foot (when inside) and its sides.
+double distance(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const auto toSide = [&](const Vector3d& s, const Vector3d& e) {
+    const double length2 = (e - s).squaredNorm();
+    const double t = length2 > 0 ? std::clamp((p - s).dot(e - s) / length2, 0.0, 1.0) : 0;
+    return (p - s - t * (e - s)).norm();
+  };
+  const Vector3d normal = (b - a).cross(c - a);
+  const bool inside = normal.dot((b - a).cross(p - a)) >= 0 && normal.dot((c - b).cross(p - b)) >= 0 &&
+                      normal.dot((a - c).cross(p - c)) >= 0;
+  if (inside && normal.norm() > 0) return std::abs(normal.normalized().dot(p - a));
+  return std::min({toSide(a, b), toSide(b, c), toSide(c, a)});
+}
+
+double distanceToVisual(const ArmLink& link, const Vector3d& p) {
+  double nearest = 1;
+  for (const ArmShape& shape : link.visual) {
+    const Mesh mesh = meshOf(shape);
+    const Vector3d q = shape.link_from_shape.inverse() * p;
+    for (const auto& t : mesh.triangles)
+      nearest = std::min(nearest, distance(q, mesh.vertices[size_t(t[0])], mesh.vertices[size_t(t[1])],
+                                           mesh.vertices[size_t(t[2])]));
+  }
+  return nearest;
+}
+
+TEST(ArmShapes, EveryBodyHasBoth) {
+  std::set<std::string> bodies;
+  for (const ArmLink& link : description().links) {
+    EXPECT_EQ(link.collision.empty(), link.visual.empty()) << link.name;
+    if (!link.collision.empty()) bodies.insert(link.name);
+    for (const ArmShape& shape : link.collision) EXPECT_NE(shape.kind, ArmShape::Kind::kMesh) << link.name;
+  }
+  EXPECT_EQ(bodies, (std::set<std::string>{"base_link", "link1", "link2", "link3", "link4", "link5", "link6",
+                                           "gripper_base", "finger_left", "finger_right", "camera_link"}));
+}
+
+TEST(ArmShapes, CollisionEnclosesVisual) {
+  for (const ArmLink& link : description().links) {
+    double worst = -1;
+    for (const ArmShape& visual : link.visual)
+      for (const Vector3d& p : surfaceOf(visual)) {
+        double nearest = 1;
+        for (const ArmShape& shape : link.collision) nearest = std::min(nearest, outside(shape, p));
+        worst = std::max(worst, nearest);
+      }
+    EXPECT_LT(worst, kOutside) << link.name;
+  }
+}
+
+TEST(ArmShapes, CollisionIsNotMuchLarger) {
+  for (const ArmLink& link : description().links) {
+    double worst = 0;
+    for (size_t i = 0; i < link.collision.size(); ++i) {
+      std::vector<Vector3d> points = surfaceOf(link.collision[i]);
+      for (size_t k = 0; k < points.size(); k += 1 + points.size() / 1500) {
+        bool inner = false;  // of the union
+        for (size_t j = 0; j < link.collision.size(); ++j)
+          inner = inner || (j != i && outside(link.collision[j], points[k]) < -1e-6);
+        if (!inner) worst = std::max(worst, distanceToVisual(link, points[k]));
+      }
+    }
+    EXPECT_LT(worst, kSlack) << link.name;
+  }
+}
+
+TEST(ArmShapes, MeshesAreClosedAndTurnedOutwards) {
+  for (const ArmLink& link : description().links)
+    for (const ArmShape& shape : link.visual) {
+      if (shape.kind != ArmShape::Kind::kMesh) continue;
+      double volume = 0;
+      Vector3d area = Vector3d::Zero();
+      for (const auto& t : shape.mesh->triangles) {
+        const Vector3d &a = shape.mesh->vertices[size_t(t[0])], &b = shape.mesh->vertices[size_t(t[1])],
+                       &c = shape.mesh->vertices[size_t(t[2])];
+        volume += a.dot(b.cross(c)) / 6;
+        area += (b - a).cross(c - a) / 2;
+      }
+      EXPECT_GT(volume, 1e-6) << link.name;
+      EXPECT_LT(area.norm(), 1e-7) << link.name;
+    }
+}
+
+/// Neither fingers nor gripper, whatever their opening, show in the middle of the camera's image.
+TEST(ArmShapes, CameraSeesPastTheGripper) {
+  const ArmDescription& arm = description();
+  const double fx = 700;
+  int in_image = 0, samples = 0;
+  double nearest_to_centre = 1e9;
+  for (double width : {0.0, 0.045, 0.09}) {
+    const auto poses = arm.baseFromLinks(JointVector::Zero(), width);
+    const Rigid3 camera_from_base = poses[size_t(arm.link("camera_optical_frame"))].inverse();
+    for (const char* name : {"gripper_base", "finger_left", "finger_right", "link6", "camera_link"})
+      for (const ArmShape& shape : arm.links[size_t(arm.link(name))].visual)
+        for (const Vector3d& p : surfaceOf(shape)) {
+          const Vector3d q = camera_from_base * poses[size_t(arm.link(name))] * p;
+          ++samples;
+          if (q.z() < 1e-3) continue;
+          const double u = fx * q.x() / q.z(), v = fx * q.y() / q.z();
+          nearest_to_centre = std::min(nearest_to_centre, std::hypot(u, v));
+          in_image += std::abs(u) < 320 && std::abs(v) < 240;
+        }
+  }
+  EXPECT_GT(samples, 1000);
+  EXPECT_EQ(in_image, 0);
+  EXPECT_GT(nearest_to_centre, 240);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
