@@ -43,7 +43,7 @@ CellGripper::Stop CellGripper::meet(int object, double next, const Rigid3& world
   const double high = contact.high.y, low = contact.low.y;
   if (contact.width() >= next) {  // both pads
     if (push(object, -(high + low) / 2, world_from_tcp, bodies, outcome))
-      return {std::min(width_, contact.width()), gripWeakness(contact, pads_, friction_)};
+      return {std::min(width_, contact.width()), gripWeakness(contact, friction_)};
   } else if (high > next / 2) {
     if (push(object, next / 2 - high, world_from_tcp, bodies, outcome)) return {0, ""};
   } else if (low < -next / 2) {

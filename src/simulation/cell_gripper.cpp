@@ -8,6 +8,8 @@
 namespace monocular_eye_hand {
 namespace {
 
+constexpr double kFacing = 0.8;  // cosine between pad and face beyond which rubber meets no more than an edge
+
 using Polygon = std::vector<Eigen::Vector3d>;
 
 /// Keeps the part with sign * (p[axis] - limit) <= 0 (Sutherland and Hodgman).
@@ -69,7 +71,7 @@ PadContact padContact(const std::vector<Piece>& pieces, double side) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
   for (const Piece& piece : pieces) {
     const double facing = side * piece.normal.y();
-    if (facing <= 0) continue;
+    if (facing < kFacing) continue;
     Polygon patch = piece.polygon;
     clip(&patch, 1, side * (outermost - kPadCompliance), -side);
     for (size_t k = 1; k + 1 < patch.size(); ++k) {
@@ -91,10 +93,10 @@ GripContact gripContact(const Mesh& mesh, const Rigid3& tcp_from_object, const G
   return {padContact(pieces, -1), padContact(pieces, 1)};
 }
 
-std::string gripWeakness(const GripContact& contact, const GripperPads& pads, double friction) {
+std::string gripWeakness(const GripContact& contact, double friction) {
   if (!contact.low.touched || !contact.high.touched) return "nothing between the pads";
-  const double least = kLeastPadShare * pads.area();
-  if (contact.low.area < least || contact.high.area < least) return "a pad meets too little of the part";
+  if (contact.low.area < kLeastPatch || contact.high.area < kLeastPatch)
+    return "a pad meets too little of the part";
   const double cone = 1 / std::sqrt(1 + friction * friction);  // cosine of its half angle
   const Eigen::Vector3d line = (contact.high.centre - contact.low.centre).normalized();
   if (line.dot(contact.high.normal) < cone || -line.dot(contact.low.normal) < cone)

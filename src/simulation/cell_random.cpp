@@ -42,7 +42,7 @@ std::vector<TopGrasp> topGrasps(const Mesh& mesh, const Rigid3& table_from_objec
       const GripContact contact =
           gripContact(mesh, table_from_tcp.inverse() * table_from_object, pads, 10 * widest);
       if (!contact.low.touched || contact.width() > widest) continue;
-      if (!gripWeakness(contact, pads, kFriction).empty()) continue;
+      if (!gripWeakness(contact, kFriction).empty()) continue;
       const Eigen::Vector3d middle =
           table_from_tcp * Eigen::Vector3d(0, (contact.low.y + contact.high.y) / 2, 0);
       grasps.push_back({table_from_tcp.rotation.col(1).head<2>(), x.head<2>(), middle.head<2>(),

@@ -8,10 +8,7 @@
 #include "random.h"
 
 namespace monocular_eye_hand {
-namespace {
 
-// As a camera's automatic: the wanted mean, but bright parts keep their shading (only the brightest 0.5 %
-// saturate).
 double automaticExposure(const cv::Mat1f& light, double mean) {
   constexpr double kBright = 0.9;
   std::vector<float> values(light.begin(), light.end());
@@ -22,17 +19,17 @@ double automaticExposure(const cv::Mat1f& light, double mean) {
   return std::min(mean / average, kBright / std::max(double(*bright), 1e-9));
 }
 
-}  // namespace
+cv::Mat1f blurred(const cv::Mat1f& radiance, double sigma) {
+  if (sigma <= 0) return radiance;
+  cv::Mat1f out;
+  const int radius = std::max(1, int(std::ceil(4 * sigma)));
+  cv::GaussianBlur(radiance, out, cv::Size(2 * radius + 1, 2 * radius + 1), sigma, sigma,
+                   cv::BORDER_REPLICATE);
+  return out;
+}
 
 cv::Mat sensorImage(const cv::Mat1f& radiance, const RenderOptions& options, double* exposure) {
-  cv::Mat1f light = radiance;
-  if (options.blur_sigma > 0) {
-    cv::Mat1f blurred;
-    const int radius = std::max(1, int(std::ceil(4 * options.blur_sigma)));
-    cv::GaussianBlur(radiance, blurred, cv::Size(2 * radius + 1, 2 * radius + 1), options.blur_sigma,
-                     options.blur_sigma, cv::BORDER_REPLICATE);
-    light = blurred;
-  }
+  const cv::Mat1f light = blurred(radiance, options.blur_sigma);
   *exposure = options.exposure > 0 ? options.exposure : automaticExposure(light, options.mean);
   cv::Mat grey(light.rows, light.cols, CV_8UC1);
   Generator random(options.seed ^ 0xa5a5u);

@@ -3,6 +3,13 @@
 
 namespace monocular_eye_hand {
 
+/// As a camera's automatic: the wanted mean, but bright parts keep their shading (only the brightest 0.5 %
+/// saturate).
+double automaticExposure(const cv::Mat1f& light, double mean);
+
+/// Gaussian of the lens; sigma in pixels, 0: as it is.
+cv::Mat1f blurred(const cv::Mat1f& radiance, double sigma);
+
 /// Lens blur, exposure, gamma, noise, 8 bits.
 cv::Mat sensorImage(const cv::Mat1f& radiance, const RenderOptions& options, double* exposure);
 

@@ -12,13 +12,6 @@ namespace {
 
 constexpr float kLift = 2e-5f;  // secondary rays start this far above the surface [m]
 
-// Blinn-Phong lobe, scaled to the same total for every exponent.
-double highlight(const Material& material, double half_cosine) {
-  if (material.specular <= 0 || half_cosine <= 0) return 0;
-  const float exponent = float(material.shininess) * std::log2(float(half_cosine));
-  return exponent < -14 ? 0 : (material.shininess + 2) / 8 * std::exp2(exponent);
-}
-
 // An odd number coprime to the count makes k -> (stride k + shift) mod count a permutation.
 int coprimeStride(int count, uint32_t bits) {
   static const int kPrimes[] = {11, 13, 17, 19, 23, 29, 31, 37};

@@ -13,6 +13,14 @@ inline Eigen::Vector2d discPoint(const Eigen::Vector2d& square) {
   return {u * std::sqrt(1 - 0.5 * v * v), v * std::sqrt(1 - 0.5 * u * u)};
 }
 
+/// Blinn-Phong lobe at this cosine between normal and half vector, scaled to the same total for every
+/// exponent.
+inline double highlight(const Material& material, double half_cosine) {
+  if (material.specular <= 0 || half_cosine <= 0) return 0;
+  const float exponent = float(material.shininess) * std::log2(float(half_cosine));
+  return exponent < -14 ? 0 : (material.shininess + 2) / 8 * std::exp2(exponent);
+}
+
 /// Points of a sample in the unit square, stratified over the samples of a pixel in every dimension.
 class PixelSampler {
  public:

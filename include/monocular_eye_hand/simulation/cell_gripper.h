@@ -35,7 +35,7 @@ struct GripContact {
 };
 
 constexpr double kPadCompliance = 0.001;  ///< how deep the pads' rubber gives way [m]
-constexpr double kLeastPadShare = 0.08;   ///< of a pad's area that must meet the part
+constexpr double kLeastPatch = 4e-5;      ///< of the part that each pad must meet [m^2]
 
 /// What of the part lies between pads that are `opening` apart, by exact clipping of its triangles.
 GripContact gripContact(const Mesh& mesh, const Rigid3& tcp_from_object, const GripperPads& pads,
@@ -43,6 +43,6 @@ GripContact gripContact(const Mesh& mesh, const Rigid3& tcp_from_object, const G
 
 /// "" when the two pads hold the part: both meet enough of it and the line between the patches' centres lies
 /// in both friction cones (V.-D. Nguyen, Constructing force-closure grasps, IJRR 1988); else the reason.
-std::string gripWeakness(const GripContact& contact, const GripperPads& pads, double friction);
+std::string gripWeakness(const GripContact& contact, double friction);
 
 }  // namespace monocular_eye_hand

@@ -1,0 +1,118 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "fast_renderer.h"
+#include "random.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr float kSmooth = 0.97f;  // cosine between normals of one smooth surface in neighbouring pixels
+constexpr float kStep = 0.0004f;  // step between neighbouring pixels that is an edge [m]
+constexpr int kAxis = 4;          // samples per pixel along each axis
+constexpr float kNear = 0.01f;
+constexpr float kLift = 2e-5f;
+constexpr int kLanes = InstanceWorld::kLanes;
+
+}  // namespace
+
+void FastRenderer::findEdges(int first_row, int last_row) {
+  const auto point = [&](int x, int y) {
+    const Eigen::Vector2f r = centreRay(x, y);
+    return Eigen::Vector3f(hit(x, y).depth * rayInWorld(r.x(), r.y()));
+  };
+  const auto apart = [&](int x, int y, int u, int v) {
+    const PixelHit &a = hit(x, y), &b = hit(u, v);
+    if (a.body != b.body) return true;
+    if (a.body < 0) return false;
+    return a.normal.dot(b.normal) < kSmooth || std::abs(a.geometric.dot(point(u, v) - point(x, y))) > kStep;
+  };
+  for (int y = first_row; y < last_row; ++y)
+    for (int x = 0; x < width_; ++x) {
+      // Every pixel asks all four neighbours: no row is written by two threads.
+      const bool edge = (x > 0 && apart(x, y, x - 1, y)) || (x + 1 < width_ && apart(x, y, x + 1, y)) ||
+                        (y > 0 && apart(x, y, x, y - 1)) || (y + 1 < height_ && apart(x, y, x, y + 1));
+      edges_(y, x) = edge ? 255 : 0;
+    }
+}
+
+void FastRenderer::sampleEdges(int first_row, int last_row) {
+  for (int y = first_row; y < last_row; ++y)
+    for (int x = 0; x < width_; ++x)
+      if (wide_edges_(y, x)) image_(y, x) = samplePixel(x, y);
+}
+
+float FastRenderer::samplePixel(int x, int y) const {
+  InstanceWorld::Rays rays;
+  InstanceWorld::Hits hits;
+  Eigen::Vector3f directions[kLanes];
+  float sum = 0;
+  const uint32_t key = mixBits(mixBits(key_, uint32_t(x)), uint32_t(y));
+  for (int first = 0; first < kAxis * kAxis; first += kLanes) {
+    for (int k = 0; k < kLanes; ++k) {
+      const int sample = first + k;
+      const uint32_t bits = mixBits(key, uint32_t(sample));
+      const float s = (float(sample % kAxis) + float(unitInterval(bits))) / kAxis;
+      const float t = (float(sample / kAxis) + float(unitInterval(mixBits(bits)))) / kAxis;
+      const Eigen::Vector2f r = ray(x, y, s, t);
+      const Eigen::Vector3f d = directions[k] = rayInWorld(r.x(), r.y());
+      rays.valid[k] = -1;
+      rays.ox[k] = origin_.x(), rays.oy[k] = origin_.y(), rays.oz[k] = origin_.z();
+      rays.dx[k] = d.x(), rays.dy[k] = d.y(), rays.dz[k] = d.z();
+      rays.far[k] = std::numeric_limits<float>::infinity();
+    }
+    world_.cast(rays, kNear, &hits);
+    for (int k = 0; k < kLanes; ++k) {
+      if (hits.body[k] < 0) {
+        sum += look_.background();
+        continue;
+      }
+      SurfacePoint point{hits.body[k], origin_ + hits.t[k] * directions[k], {}, hits.normal[k]};
+      point.normal = world_.smoothNormal(point.body, hits.triangle[k], hits.u[k], hits.v[k], point.geometric);
+      sum += look_.radiance(point, -directions[k].normalized(), borrowedShares(x, y, point, first + k));
+    }
+  }
+  return sum / float(kAxis * kAxis);
+}
+
+/// The light that reaches the nearest pixel of the same surface; asked anew where no neighbour shows it.
+LightShares FastRenderer::borrowedShares(int x, int y, const SurfacePoint& point, int sample) const {
+  LightShares shares;
+  shares.fill(1);
+  if (!shadows_) return shares;
+  const PixelHit* best = nullptr;
+  int best_x = 0, best_y = 0;
+  float nearest = 1e9f;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height_ - 1); ++v)
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width_ - 1); ++u) {
+      const PixelHit& other = hit(u, v);
+      if (other.body != point.body || other.geometric.dot(point.geometric) < kSmooth) continue;
+      const Eigen::Vector2f r = centreRay(u, v);
+      const Eigen::Vector3f step = origin_ + other.depth * rayInWorld(r.x(), r.y()) - point.p;
+      if (std::abs(step.dot(point.geometric)) > 2 * kStep || step.squaredNorm() >= nearest) continue;
+      nearest = step.squaredNorm(), best = &other, best_x = u, best_y = v;
+    }
+  for (int light = 0; light < look_.lights(); ++light) {
+    if (best) {
+      shares[size_t(light)] = shares_[size_t(light)](best_y, best_x);
+      continue;
+    }
+    InstanceWorld::Rays rays;
+    std::fill(rays.valid, rays.valid + kLanes, 0);
+    const Eigen::Vector3f p = point.p + kLift * point.geometric;
+    const Eigen::Vector2f square((float(sample % kAxis) + 0.5f) / kAxis,
+                                 (float(sample / kAxis) + 0.5f) / kAxis);
+    const Eigen::Vector3f to_light = look_.toLight(light, p, square);
+    rays.valid[0] = -1;
+    rays.ox[0] = p.x(), rays.oy[0] = p.y(), rays.oz[0] = p.z();
+    rays.dx[0] = to_light.x(), rays.dy[0] = to_light.y(), rays.dz[0] = to_light.z();
+    rays.far[0] = 1;
+    bool blocked[kLanes];
+    world_.blocked(rays, blocked);
+    shares[size_t(light)] = blocked[0] ? 0.0f : 1.0f;
+  }
+  return shares;
+}
+
+}  // namespace monocular_eye_hand

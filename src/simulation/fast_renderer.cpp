@@ -1,0 +1,124 @@
+#include "fast_renderer.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "parallel_rows.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr float kNear = 0.01f;  // nothing is seen nearer to the lens [m]
+constexpr int kLanes = InstanceWorld::kLanes;
+
+}  // namespace
+
+FastRenderer::FastRenderer(const Camera& camera, const InstanceWorld& world, const FastLook& look,
+                           bool shadows, int threads)
+    : world_(world),
+      look_(look),
+      width_(camera.width),
+      height_(camera.height),
+      threads_(threads),
+      shadows_(shadows),
+      hits_(size_t(camera.width) * size_t(camera.height)),
+      edges_(camera.height, camera.width),
+      image_(camera.height, camera.width) {
+  for (int y = 0; y <= height_; ++y)
+    for (int x = 0; x <= width_; ++x) {
+      const Eigen::Vector2d uv = camera.undistort({x - 0.5, y - 0.5});
+      corner_rays_.push_back(camera.ray(uv).head<2>().cast<float>());
+    }
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) centre_rays_.push_back(ray(x, y, 0.5f, 0.5f));
+  for (int k = 0; k < look.lights(); ++k) {
+    lit_.emplace_back(height_, width_);
+    shares_.emplace_back(height_, width_);
+  }
+}
+
+Eigen::Vector2f FastRenderer::ray(int x, int y, float s, float t) const {
+  const Eigen::Vector2f* corner = &corner_rays_[size_t(y) * size_t(width_ + 1) + size_t(x)];
+  const Eigen::Vector2f* below = corner + width_ + 1;
+  return (1 - t) * ((1 - s) * corner[0] + s * corner[1]) + t * ((1 - s) * below[0] + s * below[1]);
+}
+
+SurfacePoint FastRenderer::surface(const PixelHit& hit, const Eigen::Vector3f& world_ray) const {
+  return {hit.body, origin_ + hit.depth * world_ray, hit.normal, hit.geometric};
+}
+
+bool FastRenderer::sameSurface(const PixelHit& a, const PixelHit& b) const {
+  return a.body == b.body && (a.body < 0 || a.geometric.dot(b.geometric) > 0.9f);
+}
+
+void FastRenderer::findHits(int first_row, int last_row) {
+  InstanceWorld::Rays rays;
+  InstanceWorld::Hits hits;
+  for (int y = first_row; y < last_row; ++y)
+    for (int x = 0; x < width_; x += kLanes) {
+      for (int k = 0; k < kLanes; ++k) {
+        rays.valid[k] = x + k < width_ ? -1 : 0;
+        const Eigen::Vector2f r = centreRay(std::min(x + k, width_ - 1), y);
+        const Eigen::Vector3f d = rayInWorld(r.x(), r.y());
+        rays.ox[k] = origin_.x(), rays.oy[k] = origin_.y(), rays.oz[k] = origin_.z();
+        rays.dx[k] = d.x(), rays.dy[k] = d.y(), rays.dz[k] = d.z();
+        rays.far[k] = std::numeric_limits<float>::infinity();
+      }
+      world_.cast(rays, kNear, &hits);
+      for (int k = 0; k < kLanes && x + k < width_; ++k) {
+        PixelHit& out = hit(x + k, y);
+        out.body = hits.body[k];
+        out.depth = out.body >= 0 ? hits.t[k] : 0;
+        if (out.body < 0) continue;
+        out.geometric = hits.normal[k];
+        out.normal = world_.smoothNormal(out.body, hits.triangle[k], hits.u[k], hits.v[k], out.geometric);
+      }
+    }
+}
+
+void FastRenderer::shade(int first_row, int last_row) {
+  LightShares shares;
+  for (int y = first_row; y < last_row; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const PixelHit& here = hit(x, y);
+      if (here.body < 0) {
+        image_(y, x) = look_.background();
+        continue;
+      }
+      for (int k = 0; k < look_.lights(); ++k)
+        shares[size_t(k)] = shares_[size_t(k)](y, x) = shadows_ ? lightShare(x, y, k) : 1.0f;
+      const Eigen::Vector2f r = centreRay(x, y);
+      const Eigen::Vector3f d = rayInWorld(r.x(), r.y());
+      image_(y, x) = look_.radiance(surface(here, d), -d.normalized(), shares);
+    }
+}
+
+const cv::Mat1f& FastRenderer::render(const Rigid3& world_from_camera, uint32_t key) {
+  rotation_ = world_from_camera.rotation.cast<float>();
+  origin_ = world_from_camera.translation.cast<float>();
+  key_ = key;
+  parallelRows(threads_, height_, [&](int a, int b) { findHits(a, b); });
+  if (shadows_) parallelRows(threads_, height_, [&](int a, int b) { castShadows(a, b); });
+  parallelRows(threads_, height_, [&](int a, int b) { shade(a, b), findEdges(a, b); });
+  cv::dilate(edges_, wide_edges_, cv::Mat());
+  parallelRows(threads_, height_, [&](int a, int b) { sampleEdges(a, b); });
+  return image_;
+}
+
+cv::Mat FastRenderer::bodies() const {
+  cv::Mat1s out(height_, width_);
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) out(y, x) = short(hit(x, y).body);
+  return out;
+}
+
+cv::Mat FastRenderer::depth() const {
+  cv::Mat1f out(height_, width_);
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) out(y, x) = hit(x, y).depth;
+  return out;
+}
+
+}  // namespace monocular_eye_hand
