@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import json
 import os
 import pathlib
 import re
@@ -76,6 +77,24 @@ class Bench:
         if not path.exists():
             raise CannotMeasure(f"{path} is not built")
         return path
+
+    def speed(self, room, *options):
+        """{name: result} of the room's Google Benchmark program, of repeated ones the medians; leaves its JSON in `out`."""
+        program = self.out / f"bench_{room}"  # benchmark/ of the build folder is where it is built
+        if not program.exists():
+            raise CannotMeasure(f"{program} is not built")
+        path = self.out / f"speed_{room}.json"
+        print(f"  bench_{room}", *options, file=sys.stderr, flush=True)
+        code = subprocess.run([program, f"--benchmark_out={path}", "--benchmark_out_format=json", *options],
+                              stdout=subprocess.DEVNULL, check=False).returncode
+        if code:
+            raise CannotMeasure(f"{program} ended with code {code}")
+        results = json.loads(path.read_text(encoding="utf-8"))["benchmarks"]
+        errors = [result for result in results if result.get("error_occurred")]
+        if errors:
+            raise CannotMeasure(f"{errors[0]['name']}: {errors[0]['error_message']}")
+        return {result["run_name"]: result for result in results
+                if result["repetitions"] == 1 or result.get("aggregate_name") == "median"}
 
     def data(self, name):
         root = os.environ.get("MONOCULAR_EYE_HAND_DATA")

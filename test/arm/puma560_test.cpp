@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "allocation_count.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
 #include "random_arm.h"
@@ -115,6 +116,21 @@ TEST(Puma560, EveryTurnInsideTheLimits) {
   turns = 0;
   for (const ArmSolution& solution : found) turns += solution.branch == arm.branch(q);
   EXPECT_EQ(turns, 3 * 3 * 3);
+}
+
+TEST(Puma560, InverseAllocatesNothing) {
+  const Puma560 arm;
+  ArmSolutions found;
+  JointVector q;
+  q << 0.3, 0.4, -0.9, 0.5, 0.6, -0.7;
+  const Rigid3 pose = arm.baseFromTool0(q);
+  const long before = allocationCount();
+  arm.inverse(pose, q, &found);
+  const long after = allocationCount();
+  EXPECT_FALSE(found.empty());
+  EXPECT_EQ(after, before);
+  EXPECT_GT(std::string(64, ' ').size(), 0u);
+  EXPECT_GT(allocationCount(), after);  // the count does count
 }
 
 TEST(Puma560, OutOfReachIsEmpty) {
