@@ -1,0 +1,101 @@
+#include <cmath>
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/grasp/plan_grasps.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+void require(bool good, const std::string& field, double value, const char* rule) {
+  if (good && std::isfinite(value)) return;
+  std::ostringstream text;
+  text << field << " = " << value << " must be " << rule;
+  throw BadInput(text.str());
+}
+void requirePositive(const std::string& field, double value) { require(value > 0, field, value, "above 0"); }
+void requireNotNegative(const std::string& field, double value) {
+  require(value >= 0, field, value, "0 or more");
+}
+void requireShare(const std::string& field, double value) {
+  require(value >= 0 && value <= 1, field, value, "between 0 and 1");
+}
+
+}  // namespace
+
+void GripperBox::check() const {
+  for (size_t k = 0; k < 3; ++k) {
+    require(true, "centre[" + std::to_string(k) + "]", centre[k], "finite");
+    requirePositive("size[" + std::to_string(k) + "]", size[k]);
+  }
+}
+
+GripperOptions::GripperOptions() {
+  body = {{{{0, 0, -0.066}}, {{0.034, 0.124, 0.022}}},          // finger rail
+          {{{0, 0, -0.1115}}, {{0.060, 0.090, 0.075}}},         // hand
+          {{{-0.0675, 0, -0.1175}}, {{0.081, 0.030, 0.065}}}};  // camera and its arm
+}
+
+void GripperOptions::check() const {
+  requireNotNegative("opening_min", opening_min);
+  require(opening_max > opening_min, "opening_max", opening_max, "above opening_min");
+  requirePositive("pad_width", pad_width);
+  requirePositive("pad_length", pad_length);
+  require(finger_width >= pad_width, "finger_width", finger_width, "pad_width or more");
+  requirePositive("finger_thickness", finger_thickness);
+  require(finger_length >= pad_length / 2, "finger_length", finger_length, "half of pad_length or more");
+  require(finger_tip >= pad_length / 2, "finger_tip", finger_tip, "half of pad_length or more");
+  requirePositive("friction", friction);
+  requirePositive("compliance", compliance);
+  for (const GripperBox& box : body) box.check();
+}
+
+void GraspSamplingOptions::check() const {
+  requirePositive("step", step);
+  require(directions >= 1 && directions <= 360, "directions", directions, "1 to 360");
+  require(parallel > 0 && parallel < 0.5, "parallel", parallel, "above 0 and below 0.5");
+  requireShare("min_contact", min_contact);
+  requireNotNegative("margin", margin);
+  requireNotNegative("approach", approach);
+  requireShare("lever_weight", lever_weight);
+  require(per_direction >= 1, "per_direction", per_direction, "1 or more");
+  require(most >= 1, "most", most, "1 or more");
+}
+
+void GraspPlanOptions::check() const {
+  requireNotNegative("sigmas", sigmas);
+  requireNotNegative("min_clearance", min_clearance);
+  requireNotNegative("preferred_clearance", preferred_clearance);
+  requirePositive("approach_distance", approach_distance);
+  requirePositive("lift_distance", lift_distance);
+  require(max_tilt > 0 && max_tilt < M_PI / 2, "max_tilt", max_tilt, "above 0 and below pi / 2");
+  requireNotNegative("table_clearance", table_clearance);
+  requireNotNegative("obstacle_clearance", obstacle_clearance);
+  require(min_wrist >= 0 && min_wrist < 1, "min_wrist", min_wrist, "0 or more and below 1");
+  requirePositive("max_joint_step", max_joint_step);
+  require(turns >= 1 && turns <= 360, "turns", turns, "1 to 360");
+  require(branches >= 1 && branches <= 8, "branches", branches, "1 to 8");
+  require(most >= 1, "most", most, "1 or more");
+}
+
+const char* name(GraspRefusal refusal) {
+  switch (refusal) {
+    case GraspRefusal::kFromBelow:
+      return "approach too tilted";
+    case GraspRefusal::kTable:
+      return "meets the table";
+    case GraspRefusal::kClearance:
+      return "pose too uncertain";
+    case GraspRefusal::kPart:
+      return "meets the part";
+    case GraspRefusal::kObstacle:
+      return "meets an obstacle";
+    case GraspRefusal::kUnreachable:
+      return "unreachable";
+    case GraspRefusal::kSingular:
+      return "near a singularity";
+  }
+  return "unknown";
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,222 @@
+#include "monocular_eye_hand/grasp/plan_grasps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "boxes.h"
+#include "clearance.h"
+#include "monocular_eye_hand/geometry/covariance.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/equal_poses.h"
+#include "monocular_eye_hand/model/free_turns.h"
+#include "postures.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr int kRules = int(GraspRefusal::kSingular) + 1;
+
+std::string text(const char* what, double value, const char* unit, const char* rule, double limit) {
+  std::ostringstream out;
+  out << what << ' ' << std::round(10 * value) / 10 << unit << rule << std::round(10 * limit) / 10 << unit;
+  return out.str();
+}
+
+/// Goes through the rules for one grasp after the other and keeps count of the refusals.
+class Planner {
+ public:
+  Planner(const GraspObject& object, const GraspScene& scene, const GripperOptions& gripper,
+          const Puma560& arm, const Rigid3& tool0_from_tcp, const JointVector& current,
+          const GraspPlanOptions& options)
+      : object_(object),
+        scene_(scene),
+        gripper_(gripper),
+        arm_(arm),
+        tcp_from_tool0_(tool0_from_tcp.inverse()),
+        current_(current),
+        options_(options),
+        held_(heldCovariance(*object.model, object.base_from_object, object.covariance)) {
+    miss_.fill(std::numeric_limits<double>::max());
+  }
+
+  void tryGrasp(const ModelGrasp& grasp, int index, const Rigid3& object_from_tcp) {
+    GraspCandidate c;
+    c.base_from_grasp = object_.base_from_object * object_from_tcp;
+    c.approach = c.base_from_grasp.rotation.col(2);
+    c.width = grasp.width;
+    c.model_grasp = index;
+    c.source = grasp.source;
+    const double tilt = std::acos(std::clamp(-c.approach.z(), -1.0, 1.0));
+    if (tilt > options_.max_tilt)
+      return refuse(GraspRefusal::kFromBelow, tilt,
+                    text("the approach is tilted by", tilt * 180 / M_PI, " degrees", ", more than ",
+                         options_.max_tilt * 180 / M_PI));
+    const ClearanceNeed need =
+        clearanceNeed(object_.base_from_object, held_, c.base_from_grasp, c.width, gripper_, options_);
+    const double wanted = std::max(need.closing, options_.preferred_clearance);
+    c.opening = std::min(gripper_.opening_max, c.width + 2 * wanted);
+    c.free = (c.opening - c.width) / 2;
+    c.needed = need.closing;
+    if (!aboveTable(c)) return;
+    if (!need.refusal.empty()) return refuse(GraspRefusal::kClearance, need.shortfall, need.refusal);
+    if (!clear(c, need, object_from_tcp)) return;
+    c.base_from_pregrasp = c.base_from_retreat = c.base_from_grasp;
+    c.base_from_pregrasp.translation -= options_.approach_distance * c.approach;
+    c.base_from_retreat.translation.z() += options_.lift_distance;
+    const Postures postures =
+        findPostures(arm_, c.base_from_pregrasp * tcp_from_tool0_, c.base_from_grasp * tcp_from_tool0_,
+                     c.base_from_retreat * tcp_from_tool0_, current_, options_);
+    if (postures.postures.empty()) return refuse(postures.refusal, 0, postures.reason);
+    // Room counts until there is as much again as is needed.
+    const double room = std::min(1.0, c.free / std::max(1e-9, 2 * c.needed));
+    for (size_t k = 0; k < postures.postures.size() && int(k) < options_.branches; ++k) {
+      const Posture& p = postures.postures[k];
+      c.branch = p.branch;
+      c.pregrasp_joints = p.pregrasp;
+      c.grasp_joints = p.grasp;
+      c.retreat_joints = p.retreat;
+      c.quality = grasp.quality * (0.5 + 0.5 * std::cos(tilt)) * room / (1 + 0.1 * p.travel);
+      candidates_.push_back(c);
+    }
+  }
+
+  GraspPlan finish() {
+    GraspPlan plan;
+    std::stable_sort(
+        candidates_.begin(), candidates_.end(),
+        [](const GraspCandidate& a, const GraspCandidate& b) { return a.quality > b.quality + 1e-9; });
+    if (candidates_.size() > size_t(options_.most)) candidates_.resize(size_t(options_.most));
+    plan.candidates = std::move(candidates_);
+    int all = 0;
+    for (int k = 0; k < kRules; ++k) {
+      if (counts_[size_t(k)] == 0) continue;
+      plan.refusals.push_back({GraspRefusal(k), counts_[size_t(k)], examples_[size_t(k)]});
+      all += counts_[size_t(k)];
+    }
+    if (!plan.candidates.empty()) return plan;
+    // Near certain, the pose would leave these grasps to the rules that follow: worth another look.
+    plan.too_uncertain = counts_[size_t(GraspRefusal::kClearance)] > 0;
+    std::ostringstream out;
+    out << object_.model->name << ": of " << all << " grasps";
+    for (const RefusalCount& r : plan.refusals)
+      out << (&r == &plan.refusals.front() ? " " : "; ") << r.count << ' ' << name(r.refusal) << " ("
+          << r.example << ')';
+    plan.reason = out.str();
+    return plan;
+  }
+
+ private:
+  void refuse(GraspRefusal rule, double miss, const std::string& example) {
+    ++counts_[size_t(rule)];
+    if (miss < miss_[size_t(rule)]) miss_[size_t(rule)] = miss, examples_[size_t(rule)] = example;
+  }
+
+  bool aboveTable(const GraspCandidate& c) {
+    if (!scene_.table) return true;
+    double lowest = std::numeric_limits<double>::max();
+    const Eigen::Vector3d up = c.base_from_grasp.rotation.row(2);  // base z in the hand
+    for (const Eigen::AlignedBox3d& box : handBoxes(gripper_, c.opening))
+      lowest = std::min(lowest, up.dot(box.center()) - up.cwiseAbs().dot(box.sizes()) / 2);
+    const double gap = lowest + c.base_from_grasp.translation.z() - scene_.table_height;
+    if (gap >= options_.table_clearance) return true;
+    refuse(GraspRefusal::kTable, options_.table_clearance - gap,
+           text("the hand comes to", 1e3 * gap, " mm", " above the table, less than ",
+                1e3 * options_.table_clearance));
+    return false;
+  }
+
+  bool clear(const GraspCandidate& c, const ClearanceNeed& need, const Rigid3& object_from_tcp) {
+    const Boxes swept = sweptBoxes(gripper_, c.opening, c.width, options_.approach_distance);
+    const Boxes shifted = grown(swept, {need.across, 0, need.along});
+    if (MeshInHand(*object_.model, object_from_tcp.inverse()).meets(shifted)) {
+      refuse(GraspRefusal::kPart, need.across + need.along,
+             text("shifted by", 1e3 * need.across, " mm", " across and along the approach by ",
+                  1e3 * need.along));
+      return false;
+    }
+    const Boxes wide = grown(swept, Eigen::Vector3d::Constant(options_.obstacle_clearance));
+    const Rigid3 tcp_from_base = c.base_from_grasp.inverse();
+    for (const GraspObstacle& obstacle : scene_.obstacles) {
+      if (!MeshInHand(*obstacle.model, tcp_from_base * obstacle.base_from_object).meets(wide)) continue;
+      refuse(GraspRefusal::kObstacle, 0,
+             "the hand comes nearer than " +
+                 std::to_string(int(std::lround(1e3 * options_.obstacle_clearance))) + " mm to " +
+                 obstacle.model->name);
+      return false;
+    }
+    return true;
+  }
+
+  const GraspObject& object_;
+  const GraspScene& scene_;
+  const GripperOptions& gripper_;
+  const Puma560& arm_;
+  const Rigid3 tcp_from_tool0_;
+  const JointVector current_;
+  const GraspPlanOptions& options_;
+  const Matrix6d held_;
+  std::vector<GraspCandidate> candidates_;
+  std::array<int, kRules> counts_{};
+  std::array<double, kRules> miss_;
+  std::array<std::string, kRules> examples_;
+};
+
+void requireRigid(const Rigid3& pose, const char* what) {
+  const Eigen::Matrix3d off = pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity();
+  if (!pose.isFinite() || off.cwiseAbs().maxCoeff() > 1e-6 || pose.rotation.determinant() < 0)
+    throw BadInput(std::string(what) + " is no rigid transform");
+}
+
+/// The motions that leave the object as it is: discrete ones, times turns about a free axis.
+std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int turns) {
+  std::vector<Rigid3> copies;
+  for (const Rigid3& s : model.symmetries.discrete) {
+    if (!model.symmetries.axis) {
+      copies.push_back(s);
+      continue;
+    }
+    for (int k = 0; k < turns; ++k)
+      copies.push_back(turnAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
+  }
+  return copies;
+}
+
+}  // namespace
+
+GraspPlan planGrasps(const GraspObject& object, const ModelGrasps& grasps, const GraspScene& scene,
+                     const GripperOptions& gripper, const Puma560& arm, const Rigid3& tool0_from_tcp,
+                     const JointVector& current, const GraspPlanOptions& options) {
+  gripper.check();
+  options.check();
+  if (!object.model) throw BadInput("planGrasps: the object has no model");
+  requireRigid(object.base_from_object, "base_from_object");
+  requireRigid(tool0_from_tcp, "tool0_from_tcp");
+  requireCovariance(object.covariance, "covariance of the object");
+  if (!current.allFinite()) throw BadInput("the current joint angles are not finite");
+  for (const GraspObstacle& obstacle : scene.obstacles) {
+    if (!obstacle.model) throw BadInput("planGrasps: an obstacle has no model");
+    requireRigid(obstacle.base_from_object, "base_from_object of an obstacle");
+  }
+  if (grasps.grasps.empty()) {
+    GraspPlan none;
+    none.reason = grasps.reason.empty() ? object.model->name + ": no grasps are known" : grasps.reason;
+    return none;
+  }
+  Planner planner(object, scene, gripper, arm, tool0_from_tcp, current, options);
+  Rigid3 half_turn;  // the gripper is the same turned by half about z
+  half_turn.rotation.diagonal() << -1, -1, 1;
+  const std::vector<Rigid3> copies = symmetricCopies(*object.model, options.turns);
+  for (size_t k = 0; k < grasps.grasps.size(); ++k) {
+    for (const Rigid3& copy : copies) {
+      const Rigid3 object_from_tcp = copy * grasps.grasps[k].object_from_tcp;
+      planner.tryGrasp(grasps.grasps[k], int(k), object_from_tcp);
+      planner.tryGrasp(grasps.grasps[k], int(k), object_from_tcp * half_turn);
+    }
+  }
+  return planner.finish();
+}
+
+}  // namespace monocular_eye_hand
