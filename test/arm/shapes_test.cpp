@@ -127,6 +127,27 @@ TEST(ArmShapes, MeshesAreClosedAndTurnedOutwards) {
     }
 }
 
+TEST(ArmShapes, HandTurnsFreelyAtTheForearm) {
+  const ArmDescription& arm = description();
+  const JointLimit limit = Puma560Options().joints[4];
+  double nearest = 1;
+  for (double q5 = limit.lower; q5 <= limit.upper + 1e-9; q5 += (limit.upper - limit.lower) / 16)
+    for (double q6 = 0; q6 < 6; q6 += M_PI / 4) {
+      JointVector q = JointVector::Zero();
+      q[4] = q5, q[5] = q6;
+      const auto poses = arm.baseFromLinks(q, arm.gripper_width_max);
+      for (const char* hand : {"link6", "gripper_base", "finger_left", "finger_right", "camera_link"})
+        for (const ArmShape& shape : arm.links[size_t(arm.link(hand))].collision)
+          for (const Vector3d& p : surfaceOf(shape))
+            for (const char* body : {"link3", "link4"}) {
+              const Vector3d at = poses[size_t(arm.link(body))].inverse() * poses[size_t(arm.link(hand))] * p;
+              for (const ArmShape& solid : arm.links[size_t(arm.link(body))].collision)
+                nearest = std::min(nearest, outside(solid, at));
+            }
+    }
+  EXPECT_GT(nearest, 0.001);
+}
+
 /// Neither fingers nor gripper, whatever their opening, show in the middle of the camera's image.
 TEST(ArmShapes, CameraSeesPastTheGripper) {
   const ArmDescription& arm = description();
