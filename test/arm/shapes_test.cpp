@@ -127,6 +127,20 @@ TEST(ArmShapes, MeshesAreClosedAndTurnedOutwards) {
     }
 }
 
+/// Least distance, about, from the surface of one link to the other's solids; negative when they overlap.
+double gap(const std::vector<Rigid3>& poses, int from, int to) {
+  const ArmDescription& arm = description();
+  const Rigid3 to_from_from = poses[size_t(to)].inverse() * poses[size_t(from)];
+  double nearest = 1;
+  for (const ArmShape& shape : arm.links[size_t(from)].collision) {
+    const std::vector<Vector3d> points = surfaceOf(shape);
+    for (size_t k = 0; k < points.size(); k += 1 + points.size() / 2500)
+      for (const ArmShape& solid : arm.links[size_t(to)].collision)
+        nearest = std::min(nearest, outside(solid, to_from_from * points[k]));
+  }
+  return nearest;
+}
+
 TEST(ArmShapes, HandTurnsFreelyAtTheForearm) {
   const ArmDescription& arm = description();
   const JointLimit limit = Puma560Options().joints[4];
@@ -137,15 +151,34 @@ TEST(ArmShapes, HandTurnsFreelyAtTheForearm) {
       q[4] = q5, q[5] = q6;
       const auto poses = arm.baseFromLinks(q, arm.gripper_width_max);
       for (const char* hand : {"link6", "gripper_base", "finger_left", "finger_right", "camera_link"})
-        for (const ArmShape& shape : arm.links[size_t(arm.link(hand))].collision)
-          for (const Vector3d& p : surfaceOf(shape))
-            for (const char* body : {"link3", "link4"}) {
-              const Vector3d at = poses[size_t(arm.link(body))].inverse() * poses[size_t(arm.link(hand))] * p;
-              for (const ArmShape& solid : arm.links[size_t(arm.link(body))].collision)
-                nearest = std::min(nearest, outside(solid, at));
-            }
+        for (const char* body : {"link3", "link4"})
+          nearest = std::min(nearest, gap(poses, arm.link(hand), arm.link(body)));
     }
   EXPECT_GT(nearest, 0.001);
+}
+
+/// Links that a joint connects leave a gap at every angle: planning need not except them from its checks.
+TEST(ArmShapes, NeighboursDoNotTouch) {
+  const ArmDescription& arm = description();
+  const std::pair<const char*, const char*> neighbours[] = {{"base_link", "link1"},
+                                                            {"link1", "link2"},
+                                                            {"link2", "link3"},
+                                                            {"link3", "link4"},
+                                                            {"link4", "link5"},
+                                                            {"link5", "link6"},
+                                                            {"gripper_base", "finger_left"},
+                                                            {"gripper_base", "finger_right"}};
+  for (const auto& [a, b] : neighbours)
+    for (int k = 0; k <= 6; ++k) {
+      JointVector q;
+      for (int i = 0; i < 6; ++i) {
+        const JointLimit limit = Puma560Options().joints[size_t(i)];
+        q[i] = limit.lower + (limit.upper - limit.lower) * k / 6;
+      }
+      const auto poses = arm.baseFromLinks(q, arm.gripper_width_max * k / 6);
+      EXPECT_GT(gap(poses, arm.link(a), arm.link(b)), 0.0004) << a << " " << b;
+      EXPECT_GT(gap(poses, arm.link(b), arm.link(a)), 0.0004) << a << " " << b;
+    }
 }
 
 /// Neither fingers nor gripper, whatever their opening, show in the middle of the camera's image.
