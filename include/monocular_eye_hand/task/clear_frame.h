@@ -1,0 +1,146 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/task/world.h"
+
+namespace monocular_eye_hand {
+
+/// Defaults stand here and nowhere else.
+struct ClearFrameOptions {
+  std::string frame = "frame";  ///< name of the object to be cleared; "": the whole table
+  double frame_margin = 0.02;   ///< an object counts as inside up to so far outside the frame's border [m]
+  int overviews = 2;            ///< views of the whole frame per round
+  int look_attempts = 3;        ///< a view that fails so often in a row ends the task
+  int near_looks = 3;           ///< per object and round, until its pose is sure enough
+  int confirm_attempts = 2;     ///< near looks that do not show an object before it is given up
+  int pick_attempts = 3;        ///< lost grasps of one object before it is given up
+  int candidates = 6;           ///< grasps handed to the planner per attempt
+  int most_rounds = 40;         ///< looks around the frame in all
+
+  void check() const;  ///< throws BadInput naming field, value and rule
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("frame", frame), v("frame_margin", frame_margin), v("overviews", overviews);
+    v("look_attempts", look_attempts), v("near_looks", near_looks), v("confirm_attempts", confirm_attempts);
+    v("pick_attempts", pick_attempts), v("candidates", candidates), v("most_rounds", most_rounds);
+  }
+};
+
+enum class TaskStage { kLook, kChoose, kConfirm, kPick, kVerify, kCarry, kDone };
+const char* name(TaskStage stage);
+
+enum class TaskOutcome {
+  kCleared,    ///< nothing known is left in the frame
+  kLeftovers,  ///< something is, each with its reason
+  kNoFrame,    ///< the frame was not found
+  kCancelled,
+  kFault  ///< camera, recognition, eye-hand, planner or gripper does not answer
+};
+const char* name(TaskOutcome outcome);
+
+enum class ObjectOutcome {
+  kWaiting,  ///< its turn did not come
+  kCarried,
+  kGone,    ///< was there and is not any more, by no doing of the task
+  kLeft,    ///< given up, see the reason
+  kHeld,    ///< still in the gripper
+  kDropped  ///< lost on the way
+};
+const char* name(ObjectOutcome outcome);
+
+struct TaskObject {
+  MappedObject object;  ///< as last known
+  ObjectOutcome outcome = ObjectOutcome::kWaiting;
+  std::string reason;
+  int picks = 0;       ///< attempts that moved the gripper to it
+  int near_looks = 0;  ///< in all
+};
+
+struct ClearFrameFeedback {
+  TaskStage stage = TaskStage::kLook;
+  std::string object;  ///< "bridge 0"; "" when it concerns none
+  int round = 0;
+  int carried = 0, left = 0;  ///< left: known in the frame and not given up
+  std::string text;           ///< for people
+};
+
+struct ClearFrameResult {
+  TaskOutcome outcome = TaskOutcome::kFault;
+  std::string reason;
+  std::vector<TaskObject> objects;  ///< every object ever seen in the frame, in the order of appearance
+  int rounds = 0;
+};
+
+/// Clears the frame: look, choose, confirm from near, pick, verify, carry, look again, until no known object
+/// is left in the frame. A plain state machine: no threads, no clock; every retry is bounded.
+///
+/// Nothing is picked that the last near look did not show, that contradicted what was known, or whose pose is
+/// too uncertain for the gripper: then it looks again from nearer, and in the end says why not.
+class ClearFrameTask {
+ public:
+  /// Keeps the pointers. `cancelled` is asked before every stage. Throws BadInput on an option out of range
+  /// and when `options.frame` is not in the model base.
+  ClearFrameTask(const ModelBase* models, TaskWorld* world, const ClearFrameOptions& options = {},
+                 std::function<bool()> cancelled = {},
+                 std::function<void(const ClearFrameFeedback&)> feedback = {});
+
+  /// One stage; false when the task is done. An exception of the world ends the task as a fault.
+  bool step();
+  ClearFrameResult run();  ///< step() until done
+
+  TaskStage stage() const { return stage_; }
+  const ClearFrameResult& result() const { return result_; }
+
+ private:
+  using Key = std::pair<int, int>;  // object, number
+  struct Progress {
+    size_t index = 0;  // result_.objects
+    int near_looks = 0, unconfirmed = 0;
+    std::string blocked;  // why there is no grasp as things stand: other objects may be in the way
+  };
+  void lookAround();
+  void choose();
+  void confirm();
+  void pick();
+  void verify();
+  void carry();
+
+  bool look(const TaskView& view, TaskLook* seen);
+  void learn(const TaskLook& seen);
+  void learnFrame();
+  bool inFrame(const MappedObject& object) const;
+  const MappedObject* known(const Key& key) const;
+  std::vector<Key> waiting() const;
+  TaskObject& entry(const Key& key) { return result_.objects[progress_.at(key).index]; }
+  void giveUp(const Key& key, const std::string& reason);
+  void lostGrasp(const std::string& reason);
+  void stopped(const TaskPick& result);
+  bool opened();
+  void startRound();
+  void finish(TaskOutcome outcome, const std::string& reason);
+  void finishRound();
+  void tell(const std::string& text);
+
+  const ModelBase* models_;
+  TaskWorld* world_;
+  ClearFrameOptions options_;
+  std::function<bool()> cancelled_;
+  std::function<void(const ClearFrameFeedback&)> feedback_;
+  int frame_ = -1;  // ModelBase::objects
+
+  TaskStage stage_ = TaskStage::kLook;
+  ClearFrameResult result_;
+  std::vector<MappedObject> map_;
+  std::optional<MappedObject> frame_pose_;
+  std::map<Key, Progress> progress_;
+  std::optional<Key> chosen_;
+  std::vector<GraspCandidate> candidates_;
+  int overview_ = 0, failed_looks_ = 0, carried_ = 0;
+};
+
+}  // namespace monocular_eye_hand

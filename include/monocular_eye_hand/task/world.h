@@ -1,0 +1,66 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/grasp/plan_grasps.h"
+
+namespace monocular_eye_hand {
+
+/// Where to look from.
+struct TaskView {
+  int overview = 0;     ///< >= 0: the so-many-th view of the whole frame, from 0
+  bool near = false;    ///< true: at `object`, nearer with every `approach`
+  MappedObject object;  ///< near: what to look at
+  int approach = 0;     ///< near: 0, 1, 2, ...
+};
+
+/// What a look showed.
+struct TaskLook {
+  bool done = false;
+  std::string reason;                 ///< not done: camera silent, no recognition, no hand-eye, ...
+  double stamp = 0;                   ///< of the image [s]
+  std::vector<MappedObject> objects;  ///< everything known after it; last_stamp == stamp: shown by it
+};
+
+enum class TaskPickOutcome {
+  kDone,
+  kUnreachable,  ///< no path; nothing moved
+  kInCollision,  ///< every path meets something; nothing moved
+  kGraspLost,    ///< nothing, or nothing any more, between the fingers
+  kCancelled,    ///< stopped on request
+  kFault         ///< the arm, the gripper or the planner does not answer
+};
+const char* name(TaskPickOutcome outcome);
+
+struct TaskPick {
+  TaskPickOutcome outcome = TaskPickOutcome::kFault;
+  std::string reason;
+};
+
+/// What the gripper says.
+struct TaskGrip {
+  bool known = false;    ///< false: no answer
+  bool holding = false;  ///< something is between the fingers
+  std::string reason;    ///< e.g. the width
+};
+
+/// What the task asks of the rest of the robot. Calls block until they are answered and return early when the
+/// task is cancelled. "It did not work" is an answer with a reason.
+class TaskWorld {
+ public:
+  virtual ~TaskWorld() = default;
+  /// Moves the camera, takes an image, recognises and merges.
+  virtual TaskLook look(const TaskView& view) = 0;
+  /// Grasps of an object as it is known now, best first.
+  virtual GraspPlan graspTargets(const MappedObject& object) = 0;
+  /// Pre-grasp, approach, close, lift.
+  virtual TaskPick pick(const MappedObject& object, const GraspCandidate& grasp) = 0;
+  virtual TaskGrip grip() = 0;
+  /// To the drop zone's so-many-th place and open there; the object then is no longer known.
+  virtual TaskPick carry(const MappedObject& object, int place) = 0;
+  /// Opens the gripper where it is, away from any part, after a lost grasp.
+  virtual TaskPick open() = 0;
+};
+
+}  // namespace monocular_eye_hand

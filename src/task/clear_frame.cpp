@@ -1,0 +1,413 @@
+#include "monocular_eye_hand/task/clear_frame.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+std::string label(const MappedObject& object) { return object.name + " " + std::to_string(object.number); }
+
+}  // namespace
+
+ClearFrameTask::ClearFrameTask(const ModelBase* models, TaskWorld* world, const ClearFrameOptions& options,
+                               std::function<bool()> cancelled,
+                               std::function<void(const ClearFrameFeedback&)> feedback)
+    : models_(models),
+      world_(world),
+      options_(options),
+      cancelled_(std::move(cancelled)),
+      feedback_(std::move(feedback)) {
+  options.check();
+  if (options.frame.empty()) return;
+  frame_ = models->indexOf(options.frame);
+  if (frame_ < 0)
+    throw BadInput("frame = \"" + options.frame + "\" is not in the model base (" + models->names() + ")");
+}
+
+ClearFrameResult ClearFrameTask::run() {
+  while (step()) continue;
+  return result_;
+}
+
+bool ClearFrameTask::step() {
+  if (stage_ == TaskStage::kDone) return false;
+  if (cancelled_ && cancelled_()) {
+    finish(TaskOutcome::kCancelled, std::string("cancelled before the stage ") + name(stage_));
+    return false;
+  }
+  try {
+    switch (stage_) {
+      case TaskStage::kLook:
+        lookAround();
+        break;
+      case TaskStage::kChoose:
+        choose();
+        break;
+      case TaskStage::kConfirm:
+        confirm();
+        break;
+      case TaskStage::kPick:
+        pick();
+        break;
+      case TaskStage::kVerify:
+        verify();
+        break;
+      case TaskStage::kCarry:
+        carry();
+        break;
+      case TaskStage::kDone:
+        break;
+    }
+  } catch (const std::exception& e) {
+    finish(TaskOutcome::kFault, std::string("stage ") + name(stage_) + ": " + e.what());
+  }
+  return stage_ != TaskStage::kDone;
+}
+
+void ClearFrameTask::lookAround() {
+  if (overview_ == 0 && failed_looks_ == 0) {
+    if (result_.rounds == options_.most_rounds) return finishRound();
+    ++result_.rounds;
+  }
+  TaskView view;
+  view.overview = overview_;
+  tell("overview " + std::to_string(overview_ + 1) + " of " + std::to_string(options_.overviews));
+  TaskLook seen;
+  if (!look(view, &seen)) return;
+  if (++overview_ < options_.overviews) return;
+  if (frame_ >= 0 && !frame_pose_)
+    return finish(TaskOutcome::kNoFrame, "no " + options_.frame + " was found");
+  stage_ = TaskStage::kChoose;
+}
+
+bool ClearFrameTask::look(const TaskView& view, TaskLook* seen) {
+  *seen = world_->look(view);
+  if (cancelled_ && cancelled_()) {
+    finish(TaskOutcome::kCancelled, "cancelled while looking");
+    return false;
+  }
+  if (!seen->done) {
+    if (++failed_looks_ < options_.look_attempts)
+      tell("the look failed (" + seen->reason + "); again");
+    else
+      finish(TaskOutcome::kFault, std::to_string(failed_looks_) + " looks failed in a row: " + seen->reason);
+    return false;
+  }
+  failed_looks_ = 0;
+  learn(*seen);
+  return true;
+}
+
+void ClearFrameTask::learn(const TaskLook& seen) {
+  map_ = seen.objects;
+  learnFrame();
+  for (const MappedObject& object : map_) {
+    if (object.object < 0 || object.object >= int(models_->objects.size()))
+      throw BadInput("object " + std::to_string(object.object) + " is not in the model base");
+    const Key key{object.object, object.number};
+    if (progress_.count(key)) {
+      TaskObject& entry = result_.objects[progress_[key].index];
+      entry.object = object;
+      const bool lies_again = entry.outcome == ObjectOutcome::kDropped && object.last_stamp >= seen.stamp &&
+                              inFrame(object) && entry.picks < options_.pick_attempts;
+      if (entry.outcome == ObjectOutcome::kGone || lies_again)
+        entry.outcome = ObjectOutcome::kWaiting, entry.reason.clear();
+    } else if (inFrame(object)) {
+      progress_[key].index = result_.objects.size();
+      result_.objects.emplace_back();
+      result_.objects.back().object = object;
+    }
+  }
+  for (const auto& [key, progress] : progress_) {
+    TaskObject& entry = result_.objects[progress.index];
+    const bool there = entry.outcome == ObjectOutcome::kWaiting || entry.outcome == ObjectOutcome::kLeft;
+    if (!there || known(key)) continue;
+    entry.outcome = ObjectOutcome::kGone;
+    entry.reason = "it is not seen any more where it was";
+  }
+}
+
+void ClearFrameTask::learnFrame() {
+  // The one that was taken first, as long as it is known; a second one is not swapped for it.
+  const MappedObject* found = nullptr;
+  for (const MappedObject& object : map_) {
+    if (object.object != frame_) continue;
+    if (!found || (frame_pose_ && object.number == frame_pose_->number)) found = &object;
+  }
+  if (found) frame_pose_ = *found;
+}
+
+bool ClearFrameTask::inFrame(const MappedObject& object) const {
+  if (object.object == frame_ || models_->objects[size_t(object.object)].handling.obstacle) return false;
+  if (frame_ < 0) return true;
+  if (!frame_pose_) return false;
+  const Eigen::AlignedBox3d& bounds = models_->objects[size_t(frame_)].model.bounds;
+  const Rigid3 frame_from_base = frame_pose_->base_from_object.inverse();
+  const Eigen::Vector3d centre =
+      frame_from_base * (object.base_from_object * models_->objects[size_t(object.object)].model.centre());
+  // Height does not matter: the box is judged from above.
+  int up = 0;
+  frame_from_base.rotation.col(2).cwiseAbs().maxCoeff(&up);
+  for (int k = 0; k < 3; ++k)
+    if (k != up && (centre[k] < bounds.min()[k] - options_.frame_margin ||
+                    centre[k] > bounds.max()[k] + options_.frame_margin))
+      return false;
+  return true;
+}
+
+const MappedObject* ClearFrameTask::known(const Key& key) const {
+  for (const MappedObject& object : map_)
+    if (Key(object.object, object.number) == key) return &object;
+  return nullptr;
+}
+
+std::vector<ClearFrameTask::Key> ClearFrameTask::waiting() const {
+  std::vector<Key> keys;
+  for (const auto& [key, progress] : progress_) {
+    const MappedObject* object = known(key);
+    if (result_.objects[progress.index].outcome == ObjectOutcome::kWaiting && object && inFrame(*object))
+      keys.push_back(key);
+  }
+  return keys;
+}
+
+void ClearFrameTask::choose() {
+  chosen_.reset();
+  double best = -1;
+  std::optional<Key> uncertain;
+  std::vector<Key> blocked;
+  for (const Key& key : waiting()) {
+    Progress& progress = progress_[key];
+    const GraspPlan plan = world_->graspTargets(*known(key));
+    if (!plan.candidates.empty()) {
+      progress.blocked.clear();
+      if (plan.candidates.front().quality > best) best = plan.candidates.front().quality, chosen_ = key;
+    } else {
+      progress.blocked = plan.reason.empty() ? "no grasp, and no reason was given" : plan.reason;
+      if (!plan.too_uncertain) {
+        blocked.push_back(key);
+      } else if (progress.near_looks >= options_.near_looks) {
+        giveUp(key, std::to_string(progress.near_looks) + " looks from near, and still: " + plan.reason);
+      } else if (!uncertain) {
+        uncertain = key;
+      }
+    }
+  }
+  if (!chosen_) chosen_ = uncertain;
+  if (chosen_) {
+    tell(best >= 0 ? "a grasp of quality " + std::to_string(best)
+                   : "its pose is too uncertain: " + progress_[*chosen_].blocked);
+    stage_ = TaskStage::kConfirm;
+    return;
+  }
+  // Nothing changes any more by itself: what blocks them stays.
+  for (const Key& key : blocked) giveUp(key, progress_.at(key).blocked);
+  finishRound();
+}
+
+void ClearFrameTask::confirm() {
+  const Key key = *chosen_;
+  Progress& progress = progress_[key];
+  const MappedObject* object = known(key);
+  if (!object) return startRound();
+  TaskView view;
+  view.overview = -1;
+  view.near = true;
+  view.object = *object;
+  view.approach = progress.near_looks;
+  tell("a look from near");
+  TaskLook seen;
+  if (!look(view, &seen)) return;
+  ++progress.near_looks;
+  ++entry(key).near_looks;
+  object = known(key);
+  if (!object) return startRound();  // learn() noted that it is gone
+  std::string doubt;
+  if (object->outliers > 0)
+    doubt = "a look from near contradicted its pose";
+  else if (object->last_stamp < seen.stamp)
+    doubt = "a look from near did not show it";
+  else if (!inFrame(*object))
+    doubt = "it is not in the frame any more";
+  if (!doubt.empty()) {
+    tell(doubt);
+    if (++progress.unconfirmed >= options_.confirm_attempts) giveUp(key, doubt);
+    return startRound();
+  }
+  progress.unconfirmed = 0;
+  progress.blocked.clear();
+  const GraspPlan plan = world_->graspTargets(*object);
+  candidates_.clear();
+  for (const GraspCandidate& c : plan.candidates)
+    if (c.clearance() >= 0 && int(candidates_.size()) < options_.candidates) candidates_.push_back(c);
+  if (!candidates_.empty()) {
+    stage_ = TaskStage::kPick;
+    return;
+  }
+  progress.blocked = !plan.reason.empty() ? plan.reason : "no grasp leaves room for the pose's uncertainty";
+  if (plan.too_uncertain && progress.near_looks < options_.near_looks) {
+    tell("still too uncertain: " + progress.blocked);
+    return;  // once more, nearer
+  }
+  giveUp(key, plan.too_uncertain
+                  ? std::to_string(progress.near_looks) + " looks from near, and still: " + progress.blocked
+                  : progress.blocked);
+  stage_ = TaskStage::kChoose;
+}
+
+void ClearFrameTask::pick() {
+  const Key key = *chosen_;
+  const MappedObject object = entry(key).object;
+  std::string why;
+  for (size_t k = 0; k < candidates_.size(); ++k) {
+    tell("grasp " + std::to_string(k + 1) + " of " + std::to_string(candidates_.size()) + ", " +
+         candidates_[k].source);
+    const TaskPick result = world_->pick(object, candidates_[k]);
+    switch (result.outcome) {
+      case TaskPickOutcome::kDone:
+        ++entry(key).picks;
+        entry(key).outcome = ObjectOutcome::kHeld;
+        stage_ = TaskStage::kVerify;
+        return;
+      case TaskPickOutcome::kGraspLost:
+        ++entry(key).picks;
+        return lostGrasp(result.reason);
+      case TaskPickOutcome::kCancelled:
+      case TaskPickOutcome::kFault:
+        return stopped(result);
+      case TaskPickOutcome::kUnreachable:
+      case TaskPickOutcome::kInCollision:
+        why = std::string(name(result.outcome)) + ": " + result.reason;
+    }
+    if (cancelled_ && cancelled_()) return finish(TaskOutcome::kCancelled, "cancelled while picking");
+  }
+  progress_.at(key).blocked =
+      "none of " + std::to_string(candidates_.size()) + " grasps has a path; the last one: " + why;
+  giveUp(key, progress_.at(key).blocked);
+  stage_ = TaskStage::kChoose;
+}
+
+// Cancelled or broken in the middle of a motion: only asks what the gripper holds.
+void ClearFrameTask::stopped(const TaskPick& result) {
+  const TaskGrip grip = world_->grip();
+  if (grip.known && grip.holding) entry(*chosen_).outcome = ObjectOutcome::kHeld;
+  const bool cancelled = result.outcome == TaskPickOutcome::kCancelled;
+  finish(cancelled ? TaskOutcome::kCancelled : TaskOutcome::kFault,
+         std::string(name(stage_)) + " of " + label(entry(*chosen_).object) + ": " + result.reason);
+}
+
+void ClearFrameTask::verify() {
+  const TaskGrip grip = world_->grip();
+  if (!grip.known) return finish(TaskOutcome::kFault, "the gripper does not answer: " + grip.reason);
+  if (!grip.holding) return lostGrasp("after lifting the gripper is empty: " + grip.reason);
+  tell("the gripper holds it: " + grip.reason);
+  stage_ = TaskStage::kCarry;
+}
+
+void ClearFrameTask::lostGrasp(const std::string& reason) {
+  const Key key = *chosen_;
+  entry(key).outcome = ObjectOutcome::kWaiting;
+  tell("lost: " + reason);
+  if (!opened()) return;
+  if (entry(key).picks >= options_.pick_attempts)
+    giveUp(key, std::to_string(entry(key).picks) + " grasps lost; the last one: " + reason);
+  startRound();
+}
+
+void ClearFrameTask::carry() {
+  const Key key = *chosen_;
+  tell("to the drop zone, place " + std::to_string(carried_));
+  const MappedObject object = entry(key).object;
+  const TaskPick result = world_->carry(object, carried_);
+  if (result.outcome == TaskPickOutcome::kDone) {
+    ++carried_;
+    entry(key).outcome = ObjectOutcome::kCarried;
+    for (auto& [other, progress] : progress_) {
+      // What stood in the way may be free now.
+      TaskObject& left = result_.objects[progress.index];
+      if (left.outcome == ObjectOutcome::kLeft && !progress.blocked.empty()) {
+        left.outcome = ObjectOutcome::kWaiting;
+        left.reason.clear();
+        progress = {progress.index, 0, 0, ""};
+      }
+    }
+    return startRound();
+  }
+  if (result.outcome == TaskPickOutcome::kGraspLost) {
+    entry(key).outcome = ObjectOutcome::kDropped;
+    entry(key).reason = "on the way to the drop zone: " + result.reason;
+    if (opened()) startRound();
+    return;
+  }
+  stopped(result);
+}
+
+bool ClearFrameTask::opened() {
+  const TaskPick result = world_->open();
+  if (result.outcome == TaskPickOutcome::kDone) return true;
+  finish(result.outcome == TaskPickOutcome::kCancelled ? TaskOutcome::kCancelled : TaskOutcome::kFault,
+         "the gripper does not open: " + result.reason);
+  return false;
+}
+
+void ClearFrameTask::giveUp(const Key& key, const std::string& reason) {
+  entry(key).outcome = ObjectOutcome::kLeft;
+  entry(key).reason = reason;
+}
+
+void ClearFrameTask::startRound() {
+  chosen_.reset();
+  overview_ = 0;
+  for (auto& [key, progress] : progress_) progress.near_looks = 0;
+  stage_ = TaskStage::kLook;
+}
+
+void ClearFrameTask::finishRound() {
+  chosen_.reset();
+  int left = 0;
+  std::string first;
+  for (TaskObject& object : result_.objects) {
+    const MappedObject* there = known({object.object.object, object.object.number});
+    if (object.outcome == ObjectOutcome::kWaiting && there && !inFrame(*there)) {
+      object.outcome = ObjectOutcome::kGone;
+      object.reason = "it lies outside the frame now";
+    }
+    if (object.outcome == ObjectOutcome::kWaiting) {
+      object.outcome = ObjectOutcome::kLeft;
+      object.reason = "the task ended after most_rounds = " + std::to_string(options_.most_rounds);
+    }
+    if (object.outcome != ObjectOutcome::kLeft && object.outcome != ObjectOutcome::kDropped) continue;
+    if (++left == 1) first = label(object.object) + ": " + object.reason;
+  }
+  if (left > 0)
+    finish(TaskOutcome::kLeftovers, std::to_string(left) + " left in the frame or dropped; " + first);
+  else
+    finish(TaskOutcome::kCleared,
+           "nothing known is left in the frame; " + std::to_string(carried_) + " carried out");
+}
+
+void ClearFrameTask::finish(TaskOutcome outcome, const std::string& reason) {
+  result_.outcome = outcome;
+  result_.reason = reason;
+  for (TaskObject& object : result_.objects)
+    if (object.outcome == ObjectOutcome::kHeld) object.reason = "still in the gripper: " + reason;
+  stage_ = TaskStage::kDone;
+  tell(reason);
+}
+
+void ClearFrameTask::tell(const std::string& text) {
+  if (!feedback_) return;
+  ClearFrameFeedback feedback;
+  feedback.stage = stage_;
+  if (chosen_) feedback.object = label(result_.objects[progress_.at(*chosen_).index].object);
+  feedback.round = result_.rounds;
+  feedback.carried = carried_;
+  feedback.left = int(waiting().size());
+  feedback.text = text;
+  feedback_(feedback);
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,101 @@
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/task/clear_frame.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+void requireAtLeast(const char* field, double value, double least) {
+  if (value >= least) return;
+  std::ostringstream text;
+  text << field << " = " << value << " must be " << least << " or more";
+  throw BadInput(text.str());
+}
+
+}  // namespace
+
+void ClearFrameOptions::check() const {
+  requireAtLeast("frame_margin", frame_margin, 0);
+  requireAtLeast("overviews", overviews, 1);
+  requireAtLeast("look_attempts", look_attempts, 1);
+  requireAtLeast("near_looks", near_looks, 1);
+  requireAtLeast("confirm_attempts", confirm_attempts, 1);
+  requireAtLeast("pick_attempts", pick_attempts, 1);
+  requireAtLeast("candidates", candidates, 1);
+  requireAtLeast("most_rounds", most_rounds, 1);
+}
+
+const char* name(TaskPickOutcome outcome) {
+  switch (outcome) {
+    case TaskPickOutcome::kDone:
+      return "done";
+    case TaskPickOutcome::kUnreachable:
+      return "unreachable";
+    case TaskPickOutcome::kInCollision:
+      return "in collision";
+    case TaskPickOutcome::kGraspLost:
+      return "grasp lost";
+    case TaskPickOutcome::kCancelled:
+      return "cancelled";
+    case TaskPickOutcome::kFault:
+      return "fault";
+  }
+  return "unknown";
+}
+
+const char* name(TaskStage stage) {
+  switch (stage) {
+    case TaskStage::kLook:
+      return "look";
+    case TaskStage::kChoose:
+      return "choose";
+    case TaskStage::kConfirm:
+      return "confirm";
+    case TaskStage::kPick:
+      return "pick";
+    case TaskStage::kVerify:
+      return "verify";
+    case TaskStage::kCarry:
+      return "carry";
+    case TaskStage::kDone:
+      return "done";
+  }
+  return "unknown";
+}
+
+const char* name(TaskOutcome outcome) {
+  switch (outcome) {
+    case TaskOutcome::kCleared:
+      return "cleared";
+    case TaskOutcome::kLeftovers:
+      return "leftovers";
+    case TaskOutcome::kNoFrame:
+      return "no frame";
+    case TaskOutcome::kCancelled:
+      return "cancelled";
+    case TaskOutcome::kFault:
+      return "fault";
+  }
+  return "unknown";
+}
+
+const char* name(ObjectOutcome outcome) {
+  switch (outcome) {
+    case ObjectOutcome::kWaiting:
+      return "waiting";
+    case ObjectOutcome::kCarried:
+      return "carried";
+    case ObjectOutcome::kGone:
+      return "gone";
+    case ObjectOutcome::kLeft:
+      return "left";
+    case ObjectOutcome::kHeld:
+      return "held";
+    case ObjectOutcome::kDropped:
+      return "dropped";
+  }
+  return "unknown";
+}
+
+}  // namespace monocular_eye_hand
