@@ -17,7 +17,8 @@ void require(bool ok, const char* field, double value, const char* rule) {
 }  // namespace
 
 void FeatureOptions::check() const {
-  visit(
+  FeatureOptions fields = *this;  // visit() is not const
+  fields.visit(
       [](const char* field, double value) { require(std::isfinite(value), field, value, "is not finite"); });
   require(smoothing_sigma >= 0.4 && smoothing_sigma <= 2.6, "smoothing_sigma", smoothing_sigma,
           "must lie in 0.4 .. 2.6 px");

@@ -31,8 +31,4 @@ class ImageSequence {
 /// opened.
 std::unique_ptr<ImageSequence> openImageSequence(const std::string& source, bool colour);
 
-/// The files that `source` (image, folder or pattern) names, in order; empty for any other file, which may be
-/// a video. Throws BadInput as openImageSequence does.
-std::vector<std::string> imageFiles(const std::string& source);
-
 }  // namespace monocular_eye_hand

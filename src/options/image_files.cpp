@@ -14,14 +14,6 @@ namespace fs = std::filesystem;
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
-bool isImage(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* known : {".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff"})
-    if (extension == known) return true;
-  return false;
-}
-
 // The name as a sequence that sorts as people expect: every run of digits is preceded by its length.
 std::string sortKey(const std::string& name) {
   std::string key;
@@ -86,11 +78,20 @@ std::vector<std::string> filesIn(const fs::path& folder, const Wanted& wanted) {
 
 }  // namespace
 
+bool isImageFile(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* known :
+       {".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".pnm", ".tif", ".tiff", ".webp"})
+    if (extension == known) return true;
+  return false;
+}
+
 std::vector<std::string> imageFiles(const std::string& argument) {
   const fs::path path(argument);
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    const auto files = filesIn(path, [](const std::string& name) { return isImage(name); });
+    const auto files = filesIn(path, [](const std::string& name) { return isImageFile(name); });
     if (files.empty()) throw BadInput(argument + ": the folder holds no image");
     return files;
   }

@@ -2,12 +2,12 @@
 #include <array>
 
 #include "monocular_eye_hand/recognition/hypotheses.h"
-#include "pair_poses.h"
+#include "monocular_eye_hand/recognition/pair_poses.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kMaxPerKind = 300;  // best image groupings tried per kind
+constexpr int kMaxPerKind = 200;  // best image groupings tried per kind
 
 struct RankedGrouping {
   const Grouping* seen = nullptr;

@@ -1,7 +1,8 @@
+#include <array>
 #include <cmath>
 
 #include "monocular_eye_hand/pose/circle_pose.h"
-#include "pair_poses.h"
+#include "monocular_eye_hand/recognition/pair_poses.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -12,6 +13,7 @@ constexpr double kCentreError = 10;   // largest image error of the second circl
 constexpr double kLineError = 8;      // largest distance of a model edge's end from its line [px]
 constexpr double kLongBaseline =
     0.5;                           // centres this far apart, in radii, tell the axis better than one ellipse
+constexpr double kNoLever = 1e-9;  // an edge this near to the axis tells no roll [m]
 constexpr double kSameAxis = 0.5;  // farthest such an axis may be from the one ellipse's [rad]
 
 // Small ellipses fix the tilt badly: neighbours with another short axis and direction are tried as well.
@@ -69,6 +71,39 @@ Eigen::Vector3d axisThroughCentres(const Camera& camera, const Eigen::Vector3d& 
   return best;
 }
 
+// Turns about the circle's axis that bring the edge's end farther from the axis into the plane of the eye and
+// the image line: plane . (centre + height + lever cos(roll) + (normal x lever) sin(roll)) = 0.
+std::vector<double> rollsOntoLine(const Camera& camera, const Grouping& seen, const Rigid3& start,
+                                  const std::array<Eigen::Vector3d, 2>& edge, const Eigen::Vector3d& centre,
+                                  const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d plane = camera.ray(seen.points[0]).cross(camera.ray(seen.points[1])).normalized();
+  Eigen::Vector3d lever = Eigen::Vector3d::Zero();
+  double height = 0;
+  for (const Eigen::Vector3d& end : edge) {
+    const Eigen::Vector3d from_centre = start * end - centre;
+    const Eigen::Vector3d across = from_centre - from_centre.dot(normal) * normal;
+    if (across.squaredNorm() > lever.squaredNorm()) lever = across, height = from_centre.dot(normal);
+  }
+  const double a = plane.dot(lever), b = plane.dot(normal.cross(lever));
+  const double c = plane.dot(centre + height * normal), amplitude = std::hypot(a, b);
+  if (amplitude <= kNoLever || std::abs(c) > amplitude) return {};
+  const double middle = std::atan2(b, a), half = std::acos(-c / amplitude);
+  return {middle + half, middle - half};
+}
+
+bool liesOnLine(const Camera& camera, const Grouping& seen, const Rigid3& pose,
+                const std::array<Eigen::Vector3d, 2>& edge) {
+  const Eigen::Vector3d p = pose * edge[0], q = pose * edge[1];
+  if (p.z() <= 0 || q.z() <= 0) return false;
+  const Eigen::Vector2d direction = (seen.points[1] - seen.points[0]).normalized();
+  const Eigen::Vector2d u = camera.project(p), v = camera.project(q);
+  const auto distance = [&](const Eigen::Vector2d& at) {
+    const Eigen::Vector2d d = at - seen.points[0];
+    return std::abs(direction.x() * d.y() - direction.y() * d.x());
+  };
+  return distance(u) < kLineError && distance(v) < kLineError && direction.dot(v - u) > 0;
+}
+
 }  // namespace
 
 void posesOfEllipse(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
@@ -110,45 +145,18 @@ void posesOfEllipseLine(const SearchContext& context, const ObjectModel& model, 
                         std::vector<Rigid3>* poses) {
   const auto& [seen, known, order] = pair;
   const ModelCircle& circle = model.circles[known.circles[order.ellipses[0]]];
-  const Eigen::Vector3d &p = known.points[order.points[0]], &q = known.points[order.points[1]];
-  const Eigen::Vector3d plane =
-      context.camera.ray(seen.points[0]).cross(context.camera.ray(seen.points[1])).normalized();
-  const Eigen::Vector2d direction = (seen.points[1] - seen.points[0]).normalized();
-  for (const Ellipse& ellipse : variants(context.features.ellipses[seen.ellipses[0]].ellipse)) {
-    const CirclePoses solutions = circlePoses(ellipse, context.camera, circle.radius);
-    for (int i = 0; i < solutions.count; ++i)
-      for (double side : {1.0, -1.0}) {
-        const Eigen::Vector3d normal = side * solutions.pose[i].normal;
-        const Rigid3 start = poseOfCircle(circle, solutions.pose[i].centre, normal, 0);
-        // The point of the edge that is farther from the axis must come to lie in the line's plane:
-        // a cos(roll) + b sin(roll) + c = 0.
-        const Eigen::Vector3d lever_p = start * p - solutions.pose[i].centre;
-        const Eigen::Vector3d lever_q = start * q - solutions.pose[i].centre;
-        const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
-          return v - v.dot(normal) * normal;
-        };
-        const Eigen::Vector3d lever =
-            across(lever_p).squaredNorm() > across(lever_q).squaredNorm() ? lever_p : lever_q;
-        const double a = plane.dot(across(lever)), b = plane.dot(normal.cross(lever));
-        const double c = plane.dot(solutions.pose[i].centre + lever.dot(normal) * normal);
-        const double amplitude = std::hypot(a, b);
-        if (amplitude <= 1e-9 || std::abs(c) > amplitude) continue;
-        for (double sign : {1.0, -1.0}) {
-          const double roll = std::atan2(b, a) + sign * std::acos(-c / amplitude);
-          const Rigid3 pose = poseOfCircle(circle, solutions.pose[i].centre, normal, roll);
-          const Eigen::Vector3d p_in_camera = pose * p, q_in_camera = pose * q;
-          if (p_in_camera.z() <= 0 || q_in_camera.z() <= 0) continue;
-          const Eigen::Vector2d u = context.camera.project(p_in_camera),
-                                v = context.camera.project(q_in_camera);
-          const auto distance = [&](const Eigen::Vector2d& at) {
-            const Eigen::Vector2d d = at - seen.points[0];
-            return std::abs(direction.x() * d.y() - direction.y() * d.x());
-          };
-          if (std::max(distance(u), distance(v)) > kLineError || direction.dot(v - u) <= 0) continue;
-          poses->push_back(pose);
-        }
+  const std::array<Eigen::Vector3d, 2> edge{known.points[order.points[0]], known.points[order.points[1]]};
+  const Ellipse& ellipse = context.features.ellipses[seen.ellipses[0]].ellipse;
+  const CirclePoses solutions = circlePoses(ellipse, context.camera, circle.radius);
+  for (int i = 0; i < solutions.count; ++i)
+    for (double side : {1.0, -1.0}) {
+      const Eigen::Vector3d &centre = solutions.pose[i].centre, normal = side * solutions.pose[i].normal;
+      for (double roll : rollsOntoLine(context.camera, seen, poseOfCircle(circle, centre, normal, 0), edge,
+                                       centre, normal)) {
+        const Rigid3 pose = poseOfCircle(circle, centre, normal, roll);
+        if (liesOnLine(context.camera, seen, pose, edge)) poses->push_back(pose);
       }
-  }
+    }
 }
 
 }  // namespace monocular_eye_hand

@@ -73,6 +73,22 @@ TEST(SearchModel, a_canonical_pose_is_equal_and_its_view_is_near_the_eye) {
   }
 }
 
+TEST(SearchModel, the_camera_is_outside_the_hull_and_every_point_in_front) {
+  const SearchModel& model = searchModel("frame");  // 300 x 220 x 25 mm
+  const Eigen::Vector3d centre = model.model().centre();
+  const auto seenAt = [&](const Eigen::Vector3d& centre_in_camera, double turn) {
+    Rigid3 pose;
+    pose.rotation = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    pose.translation = centre_in_camera - pose.rotation * centre;
+    return model.seenFromOutside(pose);
+  };
+  EXPECT_TRUE(seenAt({0, 0, 0.5}, 0.4));
+  EXPECT_TRUE(seenAt({0, 0, 0.05}, 0)) << "near, but before it";
+  EXPECT_FALSE(seenAt({0, 0, 0.01}, 0)) << "the eye is within the hull";
+  EXPECT_FALSE(seenAt({0, 0, 0.1}, M_PI / 2)) << "on edge, a part of it is behind the camera";
+  EXPECT_FALSE(seenAt({0, 0, -0.5}, 0)) << "behind the camera";
+}
+
 TEST(SearchModel, equal_poses_have_one_canonical_pose) {
   std::mt19937 random(2);
   for (const char* part : kParts) {

@@ -88,28 +88,18 @@ struct FeatureOptions {
   /// Calls v(name, field) for every field.
   template <class Visitor>
   void visit(Visitor&& v) {
-    visitFields(*this, v);
-  }
-  template <class Visitor>
-  void visit(Visitor&& v) const {
-    visitFields(*this, v);
+    v("smoothing_sigma", smoothing_sigma);
+    v("gradient_threshold", gradient_threshold);
+    v("noise_factor", noise_factor);
+    v("min_trace_points", min_trace_points);
+    v("min_segment_length", min_segment_length);
+    v("split_tolerance", split_tolerance);
+    v("join_gap_ratio", join_gap_ratio);
+    v("min_arc_sweep", min_arc_sweep);
+    v("min_ellipse_axis", min_ellipse_axis);
+    v("min_ellipse_coverage", min_ellipse_coverage);
   }
   void check() const;  ///< throws BadInput naming field, value and rule
-
- private:
-  template <class Self, class Visitor>
-  static void visitFields(Self& self, Visitor& v) {
-    v("smoothing_sigma", self.smoothing_sigma);
-    v("gradient_threshold", self.gradient_threshold);
-    v("noise_factor", self.noise_factor);
-    v("min_trace_points", self.min_trace_points);
-    v("min_segment_length", self.min_segment_length);
-    v("split_tolerance", self.split_tolerance);
-    v("join_gap_ratio", self.join_gap_ratio);
-    v("min_arc_sweep", self.min_arc_sweep);
-    v("min_ellipse_axis", self.min_ellipse_axis);
-    v("min_ellipse_coverage", self.min_ellipse_coverage);
-  }
 };
 
 /// Detects edge traces, segments, arcs and ellipses in an 8-bit single-channel image.

@@ -120,29 +120,19 @@ struct GroupingOptions {
   /// Calls v("field", field) for every field: readers fill options by name.
   template <class Visitor>
   void visit(Visitor&& v) {
-    visitFields(*this, v);
-  }
-  template <class Visitor>
-  void visit(Visitor&& v) const {
-    visitFields(*this, v);
-  }
-
- private:
-  template <class Self, class Visitor>
-  static void visitFields(Self& self, Visitor& v) {
-    v("corner_gap", self.corner_gap);
-    v("corner_gap_ratio", self.corner_gap_ratio);
-    v("min_corner_angle", self.min_corner_angle);
-    v("max_corners_per_end", self.max_corners_per_end);
-    v("parallel_angle", self.parallel_angle);
-    v("parallel_overlap", self.parallel_overlap);
-    v("parallel_distance_ratio", self.parallel_distance_ratio);
-    v("max_pairs_per_feature", self.max_pairs_per_feature);
-    v("ellipse_axis_tolerance", self.ellipse_axis_tolerance);
-    v("ellipse_reach", self.ellipse_reach);
-    v("border_margin", self.border_margin);
-    v("free_end_sigma", self.free_end_sigma);
-    v("max_per_kind", self.max_per_kind);
+    v("corner_gap", corner_gap);
+    v("corner_gap_ratio", corner_gap_ratio);
+    v("min_corner_angle", min_corner_angle);
+    v("max_corners_per_end", max_corners_per_end);
+    v("parallel_angle", parallel_angle);
+    v("parallel_overlap", parallel_overlap);
+    v("parallel_distance_ratio", parallel_distance_ratio);
+    v("max_pairs_per_feature", max_pairs_per_feature);
+    v("ellipse_axis_tolerance", ellipse_axis_tolerance);
+    v("ellipse_reach", ellipse_reach);
+    v("border_margin", border_margin);
+    v("free_end_sigma", free_end_sigma);
+    v("max_per_kind", max_per_kind);
   }
 };
 

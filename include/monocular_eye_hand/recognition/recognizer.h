@@ -55,8 +55,8 @@ struct RecognitionResult {
   std::vector<ObjectEstimate> objects;   ///< accepted and ambiguous, best first
   std::vector<ObjectEstimate> rejected;  ///< candidates that were judged and rejected, best first
   std::string reason;                    ///< when nothing is found: why
-  bool truncated = false;                  ///< the time limit left work undone
-  bool budget_spent = false;               ///< the budget left groupings unused
+  bool truncated = false;                ///< the time limit left work undone
+  bool budget_spent = false;             ///< the budget left groupings unused
   std::vector<StageReport> stages;
   FeatureSet features;
   std::vector<Grouping> groupings;
