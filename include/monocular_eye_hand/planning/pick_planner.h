@@ -1,0 +1,78 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/planning/trajectory.h"
+
+namespace monocular_eye_hand {
+
+/// One way to take hold of an object.
+struct PickTarget {
+  std::string object;  ///< a world object
+  Rigid3 base_from_tcp_before, base_from_tcp_grasp,
+      base_from_tcp_after;                ///< pre-grasp, grasp, end of the lift
+  double open_width = 0, grip_width = 0;  ///< between the finger pads, before and after closing [m]
+};
+
+/// Where gripper_tcp lets go; it comes from `above` in a straight line and goes back the same way.
+struct DropTarget {
+  Rigid3 base_from_tcp_above, base_from_tcp;
+};
+
+struct PickRequest {
+  JointVector start = JointVector::Zero();
+  PickTarget target;
+  std::vector<DropTarget> drops;  ///< the first that works is taken
+  std::vector<std::string>
+      supports;  ///< world objects that the carried one may touch while lifted and lowered
+};
+
+enum class PickOutcome {
+  kPlanned,
+  kStartInCollision,
+  kGraspUnreachable,  ///< pre-grasp, grasp or retreat: out of reach, limits, singularity
+  kGraspInCollision,  ///< the arm cannot be at the pre-grasp
+  kApproachBlocked,
+  kLiftBlocked,
+  kNoPathToGrasp,
+  kDropUnreachable,
+  kDropInCollision,
+  kLoweringBlocked,
+  kNoPathToDrop,
+};
+/// "approach blocked" and so on, for messages.
+std::string name(PickOutcome outcome);
+
+enum class PickStage { kReach, kApproach, kLift, kCarry, kLower, kRetreat };
+std::string name(PickStage stage);
+
+/// One motion. The gripper closes before kLift and opens before kRetreat.
+struct PickMotion {
+  PickStage stage = PickStage::kReach;
+  Trajectory trajectory;
+  double gripper_width = 0;  ///< while it moves [m]
+};
+
+struct PickPlan {
+  PickOutcome outcome = PickOutcome::kPlanned;
+  std::string reason;               ///< what stands in the way, by name; empty when planned
+  std::vector<PickMotion> motions;  ///< all six, each beginning where the last one ended
+  Branch branch;                    ///< posture at the grasp
+  int drop = -1;                    ///< PickRequest::drops
+  bool planned() const { return outcome == PickOutcome::kPlanned; }
+  double duration() const;  ///< of the motions [s]
+};
+
+/// Plans to take the object and put it down: over all postures, those soonest reached first. The object
+/// stands in `world` and nothing is carried. Of what failed, the plan that came furthest gives outcome and
+/// reason. Throws BadInput on an unknown object or support, poses or joints that are not finite, joints
+/// outside the limits, widths the gripper does not have, no drop, or options out of range.
+PickPlan planPick(const ToolArm& arm, const CollisionWorld& world, const PickRequest& request,
+                  const PlanningOptions& options = {});
+
+/// The worlds that planPick() tests its motions in: with true shapes, what is carried attached, and what may
+/// touch allowed. For re-checking a plan; same order as the motions.
+std::vector<CollisionWorld> worldsOf(const CollisionWorld& world, const PickRequest& request,
+                                     const PickPlan& plan);
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,147 @@
+#include "planning/pick_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace monocular_eye_hand {
+namespace {
+
+double timeTo(const Puma560Options& arm, const JointVector& a, const JointVector& b) {
+  double time = 0;
+  for (int i = 0; i < 6; ++i) time = std::max(time, std::abs(a[i] - b[i]) / arm.joints[i].velocity);
+  return time;
+}
+
+/// The first collision of a polyline, in the order it is passed.
+CollisionPair alongLine(const CollisionWorld& world, const std::vector<JointVector>& points) {
+  const PathTest test = testIn(world);
+  for (size_t i = 0; i + 1 < points.size(); ++i) {
+    const JointVector delta = points[i + 1] - points[i];
+    const int steps = std::max(1, int(std::ceil(test.motion(delta) / (2 * test.padding))));
+    for (int k = 0; k <= steps; ++k) {
+      const JointVector joints = points[i] + delta * (double(k) / steps);
+      if (!world.valid(joints)) return world.firstCollision(joints);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string describe(const CollisionPair& pair) {
+  std::ostringstream text;
+  text.precision(2);
+  text << pair.first << (pair.distance > 0 ? " too near to " : " touches ") << pair.second;
+  text << " (" << std::abs(pair.distance) * 1e3 << (pair.distance > 0 ? " mm away)" : " mm deep)");
+  return text.str();
+}
+
+void PickFailure::tell(PickOutcome new_outcome, const std::string& new_reason) {
+  if (int(new_outcome) <= progress) return;
+  outcome = new_outcome;
+  reason = new_reason;
+  progress = int(new_outcome);
+}
+
+PickWorlds::PickWorlds(const CollisionWorld& world, const PickRequest& request, double padding,
+                       double near_padding)
+    : reach(world), approach(world), lift(world), carry(world) {
+  const PickTarget& target = request.target;
+  tcp_from_object = target.base_from_tcp_grasp.inverse() * world.pose(target.object);
+  reach.setGripperWidth(target.open_width);
+  reach.setPadding(padding);
+  approach.setGripperWidth(target.open_width);
+  approach.setPadding(near_padding);
+  for (const std::string& finger : world.fingers()) approach.allow(finger, target.object);
+  lift.setGripperWidth(target.grip_width);
+  lift.setPadding(near_padding);
+  lift.setCarriedPadding(0);
+  lift.attach(target.object, tcp_from_object);
+  for (const std::string& support : request.supports) lift.allow(target.object, support);
+  carry.setGripperWidth(target.grip_width);
+  carry.setPadding(padding);
+  carry.setCarriedPadding(padding);
+  carry.attach(target.object, tcp_from_object);
+}
+
+CollisionWorld PickWorlds::released(const PickRequest& request, const DropTarget& drop,
+                                    double near_padding) const {
+  CollisionWorld world = approach;
+  world.move(request.target.object, drop.base_from_tcp * tcp_from_object);
+  world.setPadding(near_padding);
+  return world;
+}
+
+std::vector<JointVector> solutionsByTime(const ToolArm& arm, const Rigid3& base_from_tcp,
+                                         const JointVector& current, int most) {
+  ArmSolutions solutions;
+  arm.inverse(base_from_tcp, current, &solutions);
+  std::vector<JointVector> joints;
+  for (const ArmSolution& s : solutions) joints.push_back(s.joints);
+  std::stable_sort(joints.begin(), joints.end(), [&](const JointVector& a, const JointVector& b) {
+    return timeTo(arm.arm.options(), a, current) < timeTo(arm.arm.options(), b, current);
+  });
+  if (int(joints.size()) > most) joints.resize(most);
+  return joints;
+}
+
+std::vector<JointVector> straightLine(const ToolArm& arm, const CollisionWorld& world,
+                                      const JointVector& start, const Rigid3& base_from_tcp,
+                                      const PlanningOptions& options, PickOutcome unreachable,
+                                      PickOutcome blocked, const char* what, PickFailure* failure) {
+  CartesianPath line = cartesianPath(arm, start, base_from_tcp, options.cartesian);
+  if (!line.found()) {
+    failure->tell(unreachable, std::string(what) + ": " + line.reason);
+    return {};
+  }
+  const CollisionPair hit = alongLine(world, line.points);
+  if (!hit.first.empty()) {
+    failure->tell(blocked, std::string(what) + ": " + describe(hit));
+    return {};
+  }
+  return line.points;
+}
+
+bool graspWay(const ToolArm& arm, const PickWorlds& worlds, const PickTarget& target,
+              const JointVector& before, const PlanningOptions& options, GraspWay* way,
+              PickFailure* failure) {
+  if (!worlds.reach.valid(before)) {
+    failure->tell(PickOutcome::kGraspInCollision,
+                  "pre-grasp: " + describe(worlds.reach.firstCollision(before)));
+    return false;
+  }
+  way->before = before;
+  way->approach =
+      straightLine(arm, worlds.approach, before, target.base_from_tcp_grasp, options,
+                   PickOutcome::kGraspUnreachable, PickOutcome::kApproachBlocked, "approach", failure);
+  if (way->approach.empty()) return false;
+  way->lift = straightLine(arm, worlds.lift, way->approach.back(), target.base_from_tcp_after, options,
+                           PickOutcome::kGraspUnreachable, PickOutcome::kLiftBlocked, "lift", failure);
+  if (way->lift.empty()) return false;
+  if (worlds.carry.valid(way->lift.back())) return true;
+  failure->tell(PickOutcome::kLiftBlocked,
+                "end of the lift: " + describe(worlds.carry.firstCollision(way->lift.back())));
+  return false;
+}
+
+bool dropWay(const ToolArm& arm, const PickWorlds& worlds, const CollisionWorld& released,
+             const DropTarget& drop, const JointVector& above, const PlanningOptions& options, DropWay* way,
+             PickFailure* failure) {
+  if (!worlds.carry.valid(above)) {
+    failure->tell(PickOutcome::kDropInCollision,
+                  "above the drop: " + describe(worlds.carry.firstCollision(above)));
+    return false;
+  }
+  way->above = above;
+  way->lower =
+      straightLine(arm, worlds.lift, above, drop.base_from_tcp, options, PickOutcome::kDropUnreachable,
+                   PickOutcome::kLoweringBlocked, "lowering", failure);
+  if (way->lower.empty()) return false;
+  const CollisionPair hit = alongLine(released, way->lower);
+  if (hit.first.empty()) return true;
+  failure->tell(PickOutcome::kLoweringBlocked, "retreat from the drop: " + describe(hit));
+  return false;
+}
+
+}  // namespace monocular_eye_hand

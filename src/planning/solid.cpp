@@ -1,0 +1,201 @@
+#include "planning/solid.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+using Geometry = fcl::CollisionGeometry<double>;
+using Kind = ArmShape::Kind;
+
+fcl::Transform3d toFcl(const Rigid3& pose) {
+  fcl::Transform3d t = fcl::Transform3d::Identity();
+  t.linear() = pose.rotation;
+  t.translation() = pose.translation;
+  return t;
+}
+
+std::shared_ptr<const Geometry> meshGeometry(const Mesh& mesh) {
+  auto bvh = std::make_shared<fcl::BVHModel<fcl::OBBRSS<double>>>();
+  std::vector<fcl::Triangle> triangles;
+  for (const auto& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  bvh->beginModel();
+  bvh->addSubModel(mesh.vertices, triangles);
+  bvh->endModel();
+  bvh->computeLocalAABB();
+  return bvh;
+}
+
+/// Corners may be stored once per triangle: edges are counted between positions.
+bool isClosed(const Mesh& mesh) {
+  const auto less = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::map<Eigen::Vector3d, int, decltype(less)> ids(less);
+  std::map<std::pair<int, int>, int> edges;
+  for (const auto& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const int a = ids.emplace(mesh.vertices[t[i]], int(ids.size())).first->second;
+      const int b = ids.emplace(mesh.vertices[t[(i + 1) % 3]], int(ids.size())).first->second;
+      if (a != b) edges[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+    }
+  for (const auto& edge : edges)
+    if (edge.second != 0) return false;
+  return true;
+}
+
+/// Solid angle over 4 pi, 1 inside (van Oosterom & Strackee 1983).
+double windingNumber(const Mesh& mesh, const Eigen::Vector3d& p) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices[t[0]] - p, b = mesh.vertices[t[1]] - p,
+                          c = mesh.vertices[t[2]] - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return sum / (2 * M_PI);
+}
+
+bool contains(const Solid& mesh, const Rigid3& base_from_mesh, const Eigen::Vector3d& p_in_base) {
+  if (mesh.kind != Kind::kMesh || !mesh.closed) return false;
+  const Eigen::Vector3d p = base_from_mesh.rotation.transpose() * (p_in_base - base_from_mesh.translation);
+  if (((p - mesh.box_centre).cwiseAbs() - mesh.half).maxCoeff() > 0) return false;
+  return std::abs(windingNumber(*mesh.mesh, p)) > 0.5;
+}
+
+bool oneInTheOther(const Solid& a, const Rigid3& base_from_a, const Solid& b, const Rigid3& base_from_b) {
+  return contains(b, base_from_b, base_from_a * a.inside) || contains(a, base_from_a, base_from_b * b.inside);
+}
+
+double surfaceDistance(const Solid& a, const Rigid3& base_from_a, const Solid& b, const Rigid3& base_from_b) {
+  fcl::DistanceRequestd request;
+  fcl::DistanceResultd result;
+  return fcl::distance(a.geometry.get(), toFcl(base_from_a), b.geometry.get(), toFcl(base_from_b), request,
+                       result);
+}
+
+void requireMesh(const ArmShape& shape) {
+  if (!shape.mesh || shape.mesh->triangles.empty()) throw BadInput("the mesh has no triangles");
+  const Mesh& mesh = *shape.mesh;
+  for (const Eigen::Vector3d& p : mesh.vertices)
+    if (!p.allFinite()) throw BadInput("the mesh has a vertex that is not finite");
+  for (const auto& t : mesh.triangles)
+    for (int i : t)
+      if (i < 0 || i >= int(mesh.vertices.size()))
+        throw BadInput("the mesh has a triangle with vertex " + std::to_string(i) + " of " +
+                       std::to_string(mesh.vertices.size()));
+}
+
+}  // namespace
+
+bool overlap(const OrientedBox& a, const OrientedBox& b) {
+  const Eigen::Matrix3d r = a.axes.transpose() * b.axes;
+  const Eigen::Vector3d t = a.axes.transpose() * (b.centre - a.centre);
+  const Eigen::Matrix3d q = r.cwiseAbs();
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(t[i]) > a.half[i] + q.row(i).dot(b.half)) return false;
+  for (int j = 0; j < 3; ++j)
+    if (std::abs(t.dot(r.col(j))) > q.col(j).dot(a.half) + b.half[j]) return false;
+  for (int i = 0; i < 3; ++i) {
+    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+    for (int j = 0; j < 3; ++j) {
+      const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      // Nearly parallel edges give no axis; the faces have decided then, rounding must not.
+      const double reach =
+          a.half[i1] * q(i2, j) + a.half[i2] * q(i1, j) + b.half[j1] * q(i, j2) + b.half[j2] * q(i, j1);
+      if (std::abs(t[i2] * r(i1, j) - t[i1] * r(i2, j)) > reach + 1e-12) return false;
+    }
+  }
+  return true;
+}
+
+OrientedBox Solid::boxAt(const Rigid3& base_from_owner, double padding) const {
+  OrientedBox box;
+  box.axes.noalias() = base_from_owner.rotation * owner_from_solid.rotation;
+  box.centre.noalias() = base_from_owner.rotation * owner_from_solid.translation;
+  box.centre += base_from_owner.translation;
+  if (kind == Kind::kMesh) box.centre += box.axes * box_centre;
+  box.half = half.array() + padding;
+  return box;
+}
+
+Solid makeSolid(const ArmShape& shape) {
+  if (!shape.link_from_shape.isFinite()) throw BadInput("the pose of the shape is not finite");
+  Solid solid;
+  solid.kind = shape.kind;
+  solid.owner_from_solid = shape.link_from_shape;
+  solid.size = shape.size;
+  solid.box_centre = solid.inside = Eigen::Vector3d::Zero();
+  if (shape.kind == Kind::kMesh) {
+    requireMesh(shape);
+    Eigen::AlignedBox3d bounds;
+    for (const auto& t : shape.mesh->triangles)
+      for (int i : t) bounds.extend(shape.mesh->vertices[i]);
+    solid.mesh = shape.mesh;
+    solid.closed = isClosed(*shape.mesh);
+    solid.half = bounds.sizes() / 2;
+    solid.box_centre = bounds.center();
+    solid.inside = shape.mesh->vertices[shape.mesh->triangles[0][0]];
+    solid.geometry = meshGeometry(*shape.mesh);
+    return solid;
+  }
+  if (!shape.size.allFinite() || !(shape.size.minCoeff() > 0))
+    throw BadInput("the size of a shape must be above 0 m in every direction");
+  if (shape.kind == Kind::kBox) {
+    solid.half = shape.size / 2;
+    solid.geometry = std::make_shared<fcl::Boxd>(shape.size);
+  } else {
+    solid.half = Eigen::Vector3d(shape.size.x(), shape.size.x(), shape.size.z() / 2);
+    solid.geometry = std::make_shared<fcl::Cylinderd>(shape.size.x(), shape.size.z());
+  }
+  return solid;
+}
+
+bool touch(const Solid& a, const Rigid3& base_from_a, double padding, const Solid& b,
+           const Rigid3& base_from_b) {
+  if (a.kind == Kind::kBox && b.kind == Kind::kBox) return true;  // the boxes around them are they
+  const fcl::CollisionRequestd request;
+  fcl::CollisionResultd result;
+  const auto collide = [&](const Geometry* geometry) {
+    return fcl::collide(geometry, toFcl(base_from_a), b.geometry.get(), toFcl(base_from_b), request, result) >
+           0;
+  };
+  bool hit;
+  if (padding > 0 && a.kind == Kind::kBox) {
+    const fcl::Boxd bigger(a.size.x() + 2 * padding, a.size.y() + 2 * padding, a.size.z() + 2 * padding);
+    hit = collide(&bigger);
+  } else if (padding > 0 && a.kind == Kind::kCylinder) {
+    const fcl::Cylinderd bigger(a.size.x() + padding, a.size.z() + 2 * padding);
+    hit = collide(&bigger);
+  } else {
+    hit = collide(a.geometry.get());
+    if (!hit && padding > 0) hit = surfaceDistance(a, base_from_a, b, base_from_b) < padding;
+  }
+  return hit || oneInTheOther(a, base_from_a, b, base_from_b);
+}
+
+double signedDistance(const Solid& a, const Rigid3& base_from_a, const Solid& b, const Rigid3& base_from_b) {
+  fcl::CollisionRequestd request(64, true);
+  fcl::CollisionResultd result;
+  if (fcl::collide(a.geometry.get(), toFcl(base_from_a), b.geometry.get(), toFcl(base_from_b), request,
+                   result) > 0) {
+    double depth = 0;
+    for (size_t i = 0; i < result.numContacts(); ++i)
+      depth = std::max(depth, std::abs(result.getContact(i).penetration_depth));
+    return -depth;
+  }
+  const double distance = surfaceDistance(a, base_from_a, b, base_from_b);
+  return oneInTheOther(a, base_from_a, b, base_from_b) ? -std::abs(distance) : distance;
+}
+
+}  // namespace monocular_eye_hand
