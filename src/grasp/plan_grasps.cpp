@@ -19,10 +19,24 @@ namespace {
 
 constexpr int kRules = int(GraspRefusal::kSingular) + 1;
 
-std::string text(const char* what, double value, const char* unit, const char* rule, double limit) {
+std::string rounded(double value) {
   std::ostringstream out;
-  out << what << ' ' << std::round(10 * value) / 10 << unit << rule << std::round(10 * limit) / 10 << unit;
+  out << std::round(10 * value) / 10;
   return out.str();
+}
+
+/// The motions that leave the object as it is: discrete ones, times turns about a free axis.
+std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int turns) {
+  std::vector<Rigid3> copies;
+  for (const Rigid3& s : model.symmetries.discrete) {
+    if (!model.symmetries.axis) {
+      copies.push_back(s);
+      continue;
+    }
+    for (int k = 0; k < turns; ++k)
+      copies.push_back(turnAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
+  }
+  return copies;
 }
 
 /// Goes through the rules for one grasp after the other and keeps count of the refusals.
@@ -42,6 +56,19 @@ class Planner {
     miss_.fill(std::numeric_limits<double>::max());
   }
 
+  void tryAll(const ModelGrasps& grasps) {
+    Rigid3 half_turn;  // the gripper is the same turned by half about z
+    half_turn.rotation.diagonal() << -1, -1, 1;
+    const std::vector<Rigid3> copies = symmetricCopies(*object_.model, options_.turns);
+    for (size_t k = 0; k < grasps.grasps.size(); ++k) {
+      for (const Rigid3& copy : copies) {
+        const Rigid3 object_from_tcp = copy * grasps.grasps[k].object_from_tcp;
+        tryGrasp(grasps.grasps[k], int(k), object_from_tcp);
+        tryGrasp(grasps.grasps[k], int(k), object_from_tcp * half_turn);
+      }
+    }
+  }
+
   void tryGrasp(const ModelGrasp& grasp, int index, const Rigid3& object_from_tcp) {
     GraspCandidate c;
     c.base_from_grasp = object_.base_from_object * object_from_tcp;
@@ -52,8 +79,8 @@ class Planner {
     const double tilt = std::acos(std::clamp(-c.approach.z(), -1.0, 1.0));
     if (tilt > options_.max_tilt)
       return refuse(GraspRefusal::kFromBelow, tilt,
-                    text("the approach is tilted by", tilt * 180 / M_PI, " degrees", ", more than ",
-                         options_.max_tilt * 180 / M_PI));
+                    "the approach is tilted by " + rounded(tilt * 180 / M_PI) + " degrees, more than " +
+                        rounded(options_.max_tilt * 180 / M_PI));
     const ClearanceNeed need =
         clearanceNeed(object_.base_from_object, held_, c.base_from_grasp, c.width, gripper_, options_);
     const double wanted = std::max(need.closing, options_.preferred_clearance);
@@ -97,8 +124,6 @@ class Planner {
       all += counts_[size_t(k)];
     }
     if (!plan.candidates.empty()) return plan;
-    // Near certain, the pose would leave these grasps to the rules that follow: worth another look.
-    plan.too_uncertain = counts_[size_t(GraspRefusal::kClearance)] > 0;
     std::ostringstream out;
     out << object_.model->name << ": of " << all << " grasps";
     for (const RefusalCount& r : plan.refusals)
@@ -123,18 +148,25 @@ class Planner {
     const double gap = lowest + c.base_from_grasp.translation.z() - scene_.table_height;
     if (gap >= options_.table_clearance) return true;
     refuse(GraspRefusal::kTable, options_.table_clearance - gap,
-           text("the hand comes to", 1e3 * gap, " mm", " above the table, less than ",
-                1e3 * options_.table_clearance));
+           "the hand comes to " + rounded(1e3 * gap) + " mm above the table, less than " +
+               rounded(1e3 * options_.table_clearance) + " mm");
     return false;
   }
 
   bool clear(const GraspCandidate& c, const ClearanceNeed& need, const Rigid3& object_from_tcp) {
     const Boxes swept = sweptBoxes(gripper_, c.opening, c.width, options_.approach_distance);
     const Boxes shifted = grown(swept, {need.across, 0, need.along});
-    if (MeshInHand(*object_.model, object_from_tcp.inverse()).meets(shifted)) {
-      refuse(GraspRefusal::kPart, need.across + need.along,
-             text("shifted by", 1e3 * need.across, " mm", " across and along the approach by ",
-                  1e3 * need.along));
+    const MeshInHand part(*object_.model, object_from_tcp.inverse());
+    if (part.meets(shifted)) {
+      if (part.meets(swept)) {
+        refuse(GraspRefusal::kPart, 0,
+               "the hand meets it with an opening of " + rounded(1e3 * c.opening) + " mm");
+      } else {
+        std::ostringstream why;
+        why << options_.sigmas << " sigma of the pose, " << rounded(1e3 * need.across) << " mm across and "
+            << rounded(1e3 * need.along) << " mm along the approach, bring the hand to the part";
+        refuse(GraspRefusal::kClearance, need.across + need.along, why.str());
+      }
       return false;
     }
     const Boxes wide = grown(swept, Eigen::Vector3d::Constant(options_.obstacle_clearance));
@@ -170,20 +202,6 @@ void requireRigid(const Rigid3& pose, const char* what) {
     throw BadInput(std::string(what) + " is no rigid transform");
 }
 
-/// The motions that leave the object as it is: discrete ones, times turns about a free axis.
-std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int turns) {
-  std::vector<Rigid3> copies;
-  for (const Rigid3& s : model.symmetries.discrete) {
-    if (!model.symmetries.axis) {
-      copies.push_back(s);
-      continue;
-    }
-    for (int k = 0; k < turns; ++k)
-      copies.push_back(turnAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
-  }
-  return copies;
-}
-
 }  // namespace
 
 GraspPlan planGrasps(const GraspObject& object, const ModelGrasps& grasps, const GraspScene& scene,
@@ -205,18 +223,19 @@ GraspPlan planGrasps(const GraspObject& object, const ModelGrasps& grasps, const
     none.reason = grasps.reason.empty() ? object.model->name + ": no grasps are known" : grasps.reason;
     return none;
   }
-  Planner planner(object, scene, gripper, arm, tool0_from_tcp, current, options);
-  Rigid3 half_turn;  // the gripper is the same turned by half about z
-  half_turn.rotation.diagonal() << -1, -1, 1;
-  const std::vector<Rigid3> copies = symmetricCopies(*object.model, options.turns);
-  for (size_t k = 0; k < grasps.grasps.size(); ++k) {
-    for (const Rigid3& copy : copies) {
-      const Rigid3 object_from_tcp = copy * grasps.grasps[k].object_from_tcp;
-      planner.tryGrasp(grasps.grasps[k], int(k), object_from_tcp);
-      planner.tryGrasp(grasps.grasps[k], int(k), object_from_tcp * half_turn);
-    }
+  const auto planned = [&](const GraspObject& placed) {
+    Planner planner(placed, scene, gripper, arm, tool0_from_tcp, current, options);
+    planner.tryAll(grasps);
+    return planner.finish();
+  };
+  GraspPlan plan = planned(object);
+  const auto uncertain = [](const RefusalCount& r) { return r.refusal == GraspRefusal::kClearance; };
+  if (plan.candidates.empty() && std::any_of(plan.refusals.begin(), plan.refusals.end(), uncertain)) {
+    GraspObject certain = object;
+    certain.covariance.setZero();
+    plan.too_uncertain = !planned(certain).candidates.empty();
   }
-  return planner.finish();
+  return plan;
 }
 
 }  // namespace monocular_eye_hand

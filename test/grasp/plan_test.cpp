@@ -110,6 +110,25 @@ TEST(PlanGrasps, TheDirectionOfTheUncertaintyCounts) {
   EXPECT_FALSE(plan(model, onTable(0.45, 0, M_PI / 2), across).candidates.empty());
 }
 
+TEST(PlanGrasps, UncertaintyAcrossAndAlongTheApproachCounts) {
+  const ObjectModel model = boxModel(0.2, 0.03, 0.04);
+  const auto with = [&](int direction, double metres) {
+    Matrix6d covariance = sigma(3e-4, 1e-3);
+    covariance(direction, direction) = metres * metres;
+    GraspPlanOptions steep;  // from straight above only, closing along y
+    steep.max_tilt = 0.05;
+    return plan(model, onTable(0.45, 0, 0), covariance, {}, steep);
+  };
+  EXPECT_FALSE(with(2, 5e-4).candidates.empty());
+  const GraspPlan high = with(2, 4e-3), aside = with(0, 4e-3), deep = with(2, 2.4e-3);
+  EXPECT_TRUE(high.too_uncertain);
+  EXPECT_THAT(high.reason, HasSubstr("need 12 mm along the approach, half a pad is 8 mm"));
+  EXPECT_TRUE(aside.too_uncertain);
+  EXPECT_THAT(aside.reason, HasSubstr("need 12 mm across the pads, half a pad is 9 mm"));
+  for (const GraspCandidate& c : deep.candidates)  // the rail stays clear of the part's top by 3 sigma
+    EXPECT_GT(c.base_from_grasp.translation.z() + 0.050 - 3 * 2.4e-3, kTable + 0.04);
+}
+
 TEST(PlanGrasps, TheVarianceOfAFreeAxisDoesNotCount) {
   const ObjectModel flange = shipped("flange");
   const Rigid3 pose = onTable(0.45, 0, 0.4);

@@ -92,7 +92,7 @@ struct RefusalCount {
 struct GraspPlan {
   std::vector<GraspCandidate> candidates;  ///< best first
   std::vector<RefusalCount> refusals;      ///< in the order of GraspRefusal; none with count 0
-  bool too_uncertain = false;  ///< no candidate, and a better known pose might give one: look from nearer
+  bool too_uncertain = false;  ///< no candidate, but a better known pose would give one: look from nearer
   std::string reason;          ///< when there is no candidate: why, with numbers
 };
 
