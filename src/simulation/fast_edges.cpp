@@ -18,15 +18,11 @@ constexpr int kLanes = InstanceWorld::kLanes;
 }  // namespace
 
 void FastRenderer::findEdges(int first_row, int last_row) {
-  const auto point = [&](int x, int y) {
-    const Eigen::Vector2f r = centreRay(x, y);
-    return Eigen::Vector3f(hit(x, y).depth * rayInWorld(r.x(), r.y()));
-  };
   const auto apart = [&](int x, int y, int u, int v) {
     const PixelHit &a = hit(x, y), &b = hit(u, v);
     if (a.body != b.body) return true;
     if (a.body < 0) return false;
-    return a.normal.dot(b.normal) < kSmooth || std::abs(a.geometric.dot(point(u, v) - point(x, y))) > kStep;
+    return a.normal.dot(b.normal) < kSmooth || std::abs(a.geometric.dot(b.p - a.p)) > kStep;
   };
   for (int y = first_row; y < last_row; ++y)
     for (int x = 0; x < width_; ++x) {
@@ -40,7 +36,7 @@ void FastRenderer::findEdges(int first_row, int last_row) {
 void FastRenderer::sampleEdges(int first_row, int last_row) {
   for (int y = first_row; y < last_row; ++y)
     for (int x = 0; x < width_; ++x)
-      if (wide_edges_(y, x)) image_(y, x) = samplePixel(x, y);
+      if (edges_(y, x)) image_(y, x) = samplePixel(x, y);
 }
 
 float FastRenderer::samplePixel(int x, int y) const {
@@ -88,8 +84,7 @@ LightShares FastRenderer::borrowedShares(int x, int y, const SurfacePoint& point
     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width_ - 1); ++u) {
       const PixelHit& other = hit(u, v);
       if (other.body != point.body || other.geometric.dot(point.geometric) < kSmooth) continue;
-      const Eigen::Vector2f r = centreRay(u, v);
-      const Eigen::Vector3f step = origin_ + other.depth * rayInWorld(r.x(), r.y()) - point.p;
+      const Eigen::Vector3f step = other.p - point.p;
       if (std::abs(step.dot(point.geometric)) > 2 * kStep || step.squaredNorm() >= nearest) continue;
       nearest = step.squaredNorm(), best = &other, best_x = u, best_y = v;
     }

@@ -56,7 +56,8 @@ void FastLook::place(const std::vector<Rigid3>& world_from_body) {
 }
 
 Eigen::Vector3f FastLook::toLight(int light, const Eigen::Vector3f& p, const Eigen::Vector2f& square) const {
-  const Eigen::Vector2f disc = discPoint(square.cast<double>()).cast<float>();
+  const float u = 2 * square.x() - 1, v = 2 * square.y() - 1;  // discPoint() in single precision
+  const Eigen::Vector2f disc(u * std::sqrt(1 - 0.5f * v * v), v * std::sqrt(1 - 0.5f * u * u));
   const Disc& from = lights_[size_t(light)];
   return from.centre + disc.x() * from.x + disc.y() * from.y - p;
 }

@@ -35,6 +35,10 @@ FastRenderer::FastRenderer(const Camera& camera, const InstanceWorld& world, con
     for (int x = 0; x < width_; ++x) centre_rays_.push_back(ray(x, y, 0.5f, 0.5f));
   for (int k = 0; k < look.lights(); ++k) {
     lit_.emplace_back(height_, width_);
+    mixed_.emplace_back(height_, width_);
+    soft_.emplace_back(height_, width_);
+    wide_shares_.emplace_back(height_, width_);
+    near_shares_.emplace_back(height_, width_);
     shares_.emplace_back(height_, width_);
   }
 }
@@ -43,14 +47,6 @@ Eigen::Vector2f FastRenderer::ray(int x, int y, float s, float t) const {
   const Eigen::Vector2f* corner = &corner_rays_[size_t(y) * size_t(width_ + 1) + size_t(x)];
   const Eigen::Vector2f* below = corner + width_ + 1;
   return (1 - t) * ((1 - s) * corner[0] + s * corner[1]) + t * ((1 - s) * below[0] + s * below[1]);
-}
-
-SurfacePoint FastRenderer::surface(const PixelHit& hit, const Eigen::Vector3f& world_ray) const {
-  return {hit.body, origin_ + hit.depth * world_ray, hit.normal, hit.geometric};
-}
-
-bool FastRenderer::sameSurface(const PixelHit& a, const PixelHit& b) const {
-  return a.body == b.body && (a.body < 0 || a.geometric.dot(b.geometric) > 0.9f);
 }
 
 void FastRenderer::findHits(int first_row, int last_row) {
@@ -72,6 +68,7 @@ void FastRenderer::findHits(int first_row, int last_row) {
         out.body = hits.body[k];
         out.depth = out.body >= 0 ? hits.t[k] : 0;
         if (out.body < 0) continue;
+        out.p = origin_ + out.depth * Eigen::Vector3f(rays.dx[k], rays.dy[k], rays.dz[k]);
         out.geometric = hits.normal[k];
         out.normal = world_.smoothNormal(out.body, hits.triangle[k], hits.u[k], hits.v[k], out.geometric);
       }
@@ -89,9 +86,7 @@ void FastRenderer::shade(int first_row, int last_row) {
       }
       for (int k = 0; k < look_.lights(); ++k)
         shares[size_t(k)] = shares_[size_t(k)](y, x) = shadows_ ? lightShare(x, y, k) : 1.0f;
-      const Eigen::Vector2f r = centreRay(x, y);
-      const Eigen::Vector3f d = rayInWorld(r.x(), r.y());
-      image_(y, x) = look_.radiance(surface(here, d), -d.normalized(), shares);
+      image_(y, x) = look_.radiance(surface(here), (origin_ - here.p).normalized(), shares);
     }
 }
 
@@ -100,9 +95,14 @@ const cv::Mat1f& FastRenderer::render(const Rigid3& world_from_camera, uint32_t 
   origin_ = world_from_camera.translation.cast<float>();
   key_ = key;
   parallelRows(threads_, height_, [&](int a, int b) { findHits(a, b); });
-  if (shadows_) parallelRows(threads_, height_, [&](int a, int b) { castShadows(a, b); });
-  parallelRows(threads_, height_, [&](int a, int b) { shade(a, b), findEdges(a, b); });
-  cv::dilate(edges_, wide_edges_, cv::Mat());
+  parallelRows(threads_, height_, [&](int a, int b) { findEdges(a, b); });
+  if (shadows_) {
+    parallelRows(threads_, height_, [&](int a, int b) { castShadows(a, b); });
+    sortShadows();
+    parallelRows(threads_, height_, [&](int a, int b) { castMoreShadows(a, b); });
+    parallelRows(threads_, height_, [&](int a, int b) { smoothShadows(a, b); });
+  }
+  parallelRows(threads_, height_, [&](int a, int b) { shade(a, b); });
   parallelRows(threads_, height_, [&](int a, int b) { sampleEdges(a, b); });
   return image_;
 }

@@ -23,12 +23,9 @@ class FastRenderer {
 
  private:
   struct PixelHit {
-    Eigen::Vector3f normal, geometric;
+    Eigen::Vector3f p, normal, geometric;  // world
     float depth = 0;
     int body = -1;
-  };
-  struct Lane {  // of a packet of sub-pixels
-    float x, y;  // ray: camera frame, z = 1
   };
   Eigen::Vector3f rayInWorld(float x, float y) const { return rotation_ * Eigen::Vector3f(x, y, 1); }
   /// Camera-frame ray through a pixel at (s, t) of its square, bilinear in its corners' rays.
@@ -38,18 +35,24 @@ class FastRenderer {
   }
   PixelHit& hit(int x, int y) { return hits_[size_t(y) * size_t(width_) + size_t(x)]; }
   const PixelHit& hit(int x, int y) const { return hits_[size_t(y) * size_t(width_) + size_t(x)]; }
-  SurfacePoint surface(const PixelHit& hit, const Eigen::Vector3f& world_ray) const;
+  static SurfacePoint surface(const PixelHit& hit) { return {hit.body, hit.p, hit.normal, hit.geometric}; }
 
   void findHits(int first_row, int last_row);
   void castShadows(int first_row, int last_row);
-  void shadowPixels(int x, int y, int light);
+  void sortShadows();
+  void castMoreShadows(int first_row, int last_row);
+  void shadowPixels(int x, int y, int light, int first_sample, int last_sample, const uchar* wanted);
   void shade(int first_row, int last_row);
+  void smoothShadows(int first_row, int last_row);
+  float nearShare(int x, int y, int light) const;
   float lightShare(int x, int y, int light) const;
   void findEdges(int first_row, int last_row);
   void sampleEdges(int first_row, int last_row);
   float samplePixel(int x, int y) const;
   LightShares borrowedShares(int x, int y, const SurfacePoint& point, int sample) const;
-  bool sameSurface(const PixelHit& a, const PixelHit& b) const;
+  static bool sameSurface(const PixelHit& a, const PixelHit& b) {
+    return a.body == b.body && (a.body < 0 || a.geometric.dot(b.geometric) > 0.9f);
+  }
 
   const InstanceWorld& world_;
   const FastLook& look_;
@@ -60,9 +63,13 @@ class FastRenderer {
   Eigen::Vector3f origin_;
   uint32_t key_ = 0;
   std::vector<PixelHit> hits_;
-  std::vector<cv::Mat1b> lit_;     // per light: shadow rays out of four that reach it
-  std::vector<cv::Mat1f> shares_;  // the same, smoothed
-  cv::Mat1b edges_, wide_edges_;
+  std::vector<cv::Mat1b> lit_;          // per light: shadow rays out of four that reach it
+  std::vector<cv::Mat1b> mixed_;        // 255: all four rays are cast
+  std::vector<cv::Mat1b> soft_;         // 255: such a pixel is near
+  std::vector<cv::Mat1f> wide_shares_;  // mean over a wide neighbourhood; -1: does not stand for the pixel
+  std::vector<cv::Mat1f> near_shares_;  // the same, over the nearest pixels
+  std::vector<cv::Mat1f> shares_;       // the same, smoothed
+  cv::Mat1b edges_;
   cv::Mat1f image_;
 };
 
