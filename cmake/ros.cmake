@@ -7,8 +7,8 @@
 #   ros_node(<name> SOURCES <file>... [LINK <target>...])                program <name> of the package
 #   ros_test(<file>.test [DEPENDENCIES <target>...])                      rostest: alone, with its own ROS_HOME
 set(MONOCULAR_EYE_HAND_ROS_PACKAGES  # each after those it requires itself
-  std_msgs geometry_msgs sensor_msgs visualization_msgs roscpp cv_bridge tf2_ros image_transport camera_info_manager
-  diagnostic_updater)
+  std_msgs geometry_msgs sensor_msgs visualization_msgs actionlib_msgs rosgraph_msgs trajectory_msgs roscpp actionlib
+  cv_bridge tf2_ros image_transport camera_info_manager diagnostic_updater)
 
 # ROS is installed for the system's python; another one first on the PATH knows none of its modules.
 if(NOT PYTHON_EXECUTABLE AND EXISTS /usr/bin/python3)
@@ -60,9 +60,12 @@ find_package(catkin REQUIRED COMPONENTS message_generation ${MONOCULAR_EYE_HAND_
 if(NOT CATKIN_ENABLE_TESTING)
   set(MONOCULAR_EYE_HAND_TESTS OFF)
 endif()
-add_message_files(FILES PoseAlternative.msg RecognizedObject.msg RecognizedObjectArray.msg)
-add_service_files(FILES Recognize.srv)
-generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs)
+add_message_files(FILES
+  PoseAlternative.msg RecognizedObject.msg RecognizedObjectArray.msg LocatedObject.msg LocatedObjectArray.msg
+  GraspTarget.msg GraspTargetArray.msg GripperState.msg ClearedObject.msg WorkCellObject.msg WorkCellTruth.msg)
+add_service_files(FILES Recognize.srv GraspTargets.srv ForgetObject.srv)
+add_action_files(FILES Pick.action Place.action Move.action ClearFrame.action)
+generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs sensor_msgs std_msgs)
 
 set(libraries ${MONOCULAR_EYE_HAND_ROOMS})
 list(TRANSFORM libraries PREPEND monocular_eye_hand_)
