@@ -100,6 +100,11 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   return report;
 }
 
+void ObjectMap::addFloor(Matrix6d* covariance) const {
+  covariance->diagonal().head<3>().array() += options_.floor_position * options_.floor_position;
+  covariance->diagonal().tail<3>().array() += options_.floor_rotation * options_.floor_rotation;
+}
+
 ObjectMap::Sighting ObjectMap::sighting(const ObjectView& view, const SeenObject& seen) const {
   const Chain c = chain(view.hand.base_from_tool0, view.hand_eye.tool0_from_camera, seen.camera_from_object);
   Sighting s;
@@ -107,10 +112,9 @@ ObjectMap::Sighting ObjectMap::sighting(const ObjectView& view, const SeenObject
   s.probability = seen.probability;
   s.base_from_object = c.base_from_object;
   s.base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
-  Matrix6d covariance = seen.covariance;
-  covariance.diagonal().head<3>().array() += options_.floor_position * options_.floor_position;
-  covariance.diagonal().tail<3>().array() += options_.floor_rotation * options_.floor_rotation;
-  s.image = heldCovariance(model(s.object), s.base_from_object, carried(c.image, covariance));
+  s.image = carried(c.image, seen.covariance);
+  addFloor(&s.image);
+  s.image = heldCovariance(model(s.object), s.base_from_object, s.image);
   s.hand_eye = c.hand_eye;
   s.joints = c.arm * view.hand.jacobian;
   return s;
@@ -188,14 +192,17 @@ ViewDecision ObjectMap::meet(Track* track, const Sighting& seen, double chi_squa
   track->object.misses = 0;
   track->object.last_stamp = stamp;
   track->merged.probability = std::max(track->merged.probability, seen.probability);
-  const bool same_camera = std::any_of(
-      track->base_from_cameras.begin(), track->base_from_cameras.end(), [&](const Rigid3& camera) {
-        return (camera.translation - seen.base_from_camera.translation).norm() <= options_.min_motion &&
-               angleBetween(camera.rotation, seen.base_from_camera.rotation) <= options_.min_turn;
-      });
+  // So many places say all that views can say: what is left is common to them.
+  const bool same_camera =
+      int(track->base_from_cameras.size()) >= options_.most_views ||
+      std::any_of(
+          track->base_from_cameras.begin(), track->base_from_cameras.end(), [&](const Rigid3& camera) {
+            return (camera.translation - seen.base_from_camera.translation).norm() <= options_.min_motion &&
+                   angleBetween(camera.rotation, seen.base_from_camera.rotation) <= options_.min_turn;
+          });
   if (same_camera) {
     decision.outcome = ViewOutcome::kSeenAgain;
-    decision.reason = "seen from this camera place already: its error is the same";
+    decision.reason = "seen from this camera place already, or from enough of them: it tells nothing new";
   } else {
     merge(track, equalSighting(seen, track->merged.base_from_object));
     decision.outcome = ViewOutcome::kMerged;
@@ -269,6 +276,7 @@ void ObjectMap::publish(Track* track) const {
   Matrix6d total = merged.image + carried(merged.hand_eye, hand_eye_covariance_) +
                    carried(merged.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
   total.diagonal().head<3>().array() += options_.arm.position_sigma * options_.arm.position_sigma;
+  addFloor(&total);  // what CAD and part differ by is the same in every view
   object.base_from_object = merged.base_from_object;
   object.probability = merged.probability;
   object.covariance = freedCovariance(shape, object.base_from_object, total);

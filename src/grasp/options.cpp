@@ -32,7 +32,7 @@ void GripperBox::check() const {
 
 GripperOptions::GripperOptions() {
   body = {{{{0, 0, -0.0635}}, {{0.034, 0.124, 0.027}}},         // finger rail and the fingers' feet
-          {{{0, 0, -0.112}}, {{0.060, 0.090, 0.076}}},         // hand
+          {{{0, 0, -0.112}}, {{0.060, 0.090, 0.076}}},          // hand
           {{{0, 0, -0.154}}, {{0.070, 0.070, 0.012}}},          // flange
           {{{-0.0675, 0, -0.1175}}, {{0.081, 0.030, 0.065}}}};  // camera and its arm
 }

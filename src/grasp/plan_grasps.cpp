@@ -112,11 +112,12 @@ class Planner {
 
   GraspPlan finish() {
     GraspPlan plan;
-    std::stable_sort(
-        candidates_.begin(), candidates_.end(),
-        [](const GraspCandidate& a, const GraspCandidate& b) { return a.quality > b.quality + 1e-9; });
-    if (candidates_.size() > size_t(options_.most)) candidates_.resize(size_t(options_.most));
-    plan.candidates = std::move(candidates_);
+    const auto better = [](const GraspCandidate& a, const GraspCandidate& b) {
+      return a.quality > b.quality;
+    };
+    std::stable_sort(candidates_.begin(), candidates_.end(), better);
+    plan.candidates = variedFirst(candidates_, options_.most);
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), better);
     int all = 0;
     for (int k = 0; k < kRules; ++k) {
       if (counts_[size_t(k)] == 0) continue;
@@ -203,6 +204,27 @@ void requireRigid(const Rigid3& pose, const char* what) {
 }
 
 }  // namespace
+
+std::vector<GraspCandidate> variedFirst(const std::vector<GraspCandidate>& candidates, int count) {
+  constexpr double kApart = 0.015, kTurned = 0.3;
+  std::vector<GraspCandidate> taken;
+  std::vector<char> used(candidates.size(), 0);
+  for (size_t k = 0; k < candidates.size() && int(taken.size()) < count; ++k) {
+    const GraspCandidate& c = candidates[k];
+    const bool near = std::any_of(taken.begin(), taken.end(), [&](const GraspCandidate& other) {
+      return c.branch.shoulder == other.branch.shoulder && c.branch.elbow == other.branch.elbow &&
+             c.branch.wrist == other.branch.wrist &&
+             (c.base_from_grasp.translation - other.base_from_grasp.translation).norm() <= kApart &&
+             angleBetween(c.base_from_grasp.rotation, other.base_from_grasp.rotation) <= kTurned;
+    });
+    if (near) continue;
+    used[k] = 1;
+    taken.push_back(c);
+  }
+  for (size_t k = 0; k < candidates.size() && int(taken.size()) < count; ++k)
+    if (!used[k]) taken.push_back(candidates[k]);
+  return taken;
+}
 
 GraspPlan planGrasps(const GraspObject& object, const ModelGrasps& grasps, const GraspScene& scene,
                      const GripperOptions& gripper, const Puma560& arm, const Rigid3& tool0_from_tcp,

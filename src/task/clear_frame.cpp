@@ -14,7 +14,7 @@ std::string label(const MappedObject& object) { return object.name + " " + std::
 
 ClearFrameTask::ClearFrameTask(const ModelBase* models, TaskWorld* world, const ClearFrameOptions& options,
                                std::function<bool()> cancelled,
-                               std::function<void(const ClearFrameFeedback&)> feedback)
+                               std::function<void(const TaskFeedback&)> feedback)
     : models_(models),
       world_(world),
       options_(options),
@@ -27,7 +27,7 @@ ClearFrameTask::ClearFrameTask(const ModelBase* models, TaskWorld* world, const 
     throw BadInput("frame = \"" + options.frame + "\" is not in the model base (" + models->names() + ")");
 }
 
-ClearFrameResult ClearFrameTask::run() {
+TaskResult ClearFrameTask::run() {
   while (step()) continue;
   return result_;
 }
@@ -240,9 +240,10 @@ void ClearFrameTask::confirm() {
   progress.unconfirmed = 0;
   progress.blocked.clear();
   const GraspPlan plan = world_->graspTargets(*object);
-  candidates_.clear();
+  std::vector<GraspCandidate> with_room;
   for (const GraspCandidate& c : plan.candidates)
-    if (c.clearance() >= 0 && int(candidates_.size()) < options_.candidates) candidates_.push_back(c);
+    if (c.clearance() >= 0) with_room.push_back(c);
+  candidates_ = variedFirst(with_room, options_.candidates);
   if (!candidates_.empty()) {
     stage_ = TaskStage::kPick;
     return;
@@ -400,7 +401,7 @@ void ClearFrameTask::finish(TaskOutcome outcome, const std::string& reason) {
 
 void ClearFrameTask::tell(const std::string& text) {
   if (!feedback_) return;
-  ClearFrameFeedback feedback;
+  TaskFeedback feedback;
   feedback.stage = stage_;
   if (chosen_) feedback.object = label(result_.objects[progress_.at(*chosen_).index].object);
   feedback.round = result_.rounds;

@@ -48,6 +48,16 @@ TEST(ObjectMap, TheSamePlaceAgainIsNoNewKnowledge) {
   EXPECT_EQ(map.objects()[0].last_stamp, 2);
 }
 
+TEST(ObjectMap, EnoughViewsAreEnough) {
+  ObjectMapOptions options;
+  options.most_views = 2;
+  ObjectMap map(&models(), options);
+  for (const auto& [stamp, eye] : {std::pair(1, kLeft), std::pair(2, kRight), std::pair(3, kFar)})
+    map.add(view(stamp, eye, kTarget, {{kBridge, upright(0.45, 0)}}));
+  EXPECT_EQ(map.objects().at(0).views, 2);
+  EXPECT_EQ(map.objects().at(0).last_stamp, 3);
+}
+
 TEST(ObjectMap, AnOutlierIsLeftOutAndAMovedObjectFollowed) {
   ObjectMap map(&models());
   const Rigid3 there = upright(0.45, 0), pushed = upright(0.46, 0.01, 0.2);

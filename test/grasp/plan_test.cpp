@@ -185,6 +185,23 @@ TEST(PlanGrasps, NoGraspsOfTheModelIsAReason) {
   EXPECT_THAT(none.reason, HasSubstr("frame is an obstacle"));
 }
 
+TEST(PlanGrasps, VariedFirstTakesNeighboursLast) {
+  std::vector<GraspCandidate> all(5);
+  for (size_t k = 0; k < all.size(); ++k) all[k].model_grasp = int(k);
+  all[1].base_from_grasp.translation.x() = 0.01;  // a neighbour of 0
+  all[2].base_from_grasp.translation.x() = 0.10;
+  all[3].branch.elbow = Elbow::kDown;
+  all[4].base_from_grasp.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto order = [&](int count) {
+    std::vector<int> indices;
+    for (const GraspCandidate& c : variedFirst(all, count)) indices.push_back(c.model_grasp);
+    return indices;
+  };
+  EXPECT_THAT(order(9), testing::ElementsAre(0, 2, 3, 4, 1));
+  EXPECT_THAT(order(2), testing::ElementsAre(0, 2));
+  EXPECT_TRUE(variedFirst({}, 3).empty());
+}
+
 TEST(PlanGrasps, BadInputIsNamed) {
   const ObjectModel model = boxModel(0.1, 0.04, 0.04);
   const auto failure =

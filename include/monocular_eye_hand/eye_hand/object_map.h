@@ -13,7 +13,9 @@ struct ObjectMapOptions {
   ArmErrorOptions arm;
   HandEyeErrorOptions hand_eye;  ///< used when the view brings no covariance of its own
   double min_probability = 0.5;  ///< what recognition trusts less is left out
-  double floor_position = 1e-4;  ///< sigma added to every view's own, each axis: CAD against part [m]
+  /// Sigma of what CAD and part differ by, each axis: added to every view's own part, and once more to the
+  /// merged pose, where no number of views takes it away [m].
+  double floor_position = 1e-4;
   double floor_rotation = 1e-3;  ///< the same about each axis [rad]
   double gate = 30;              ///< chi-square (6 degrees of freedom) beyond which a view is an outlier
   double same_place = 0.5;       ///< two of a name are one when their centres are nearer than this share of
@@ -22,6 +24,7 @@ struct ObjectMapOptions {
   int outliers_to_restart = 2;   ///< so many outliers in a row that agree: the object was moved
   double min_motion = 0.01;      ///< views from nearer camera places share their errors [m] ...
   double min_turn = 0.03;        ///< ... unless the camera turned by this [rad]: they are not averaged
+  int most_views = 200;          ///< merged per object; more tell nothing new
   int forget_after_misses = 2;   ///< views that should have shown an object and did not
   double expected_share = 0.7;   ///< of an object must be in view and free for that ...
   double expected_size = 40;     ///< ... at this size in the image at least [px] ...
@@ -34,7 +37,8 @@ struct ObjectMapOptions {
     v("floor_position", floor_position), v("floor_rotation", floor_rotation), v("gate", gate);
     v("same_place", same_place), v("max_distance", max_distance);
     v("outliers_to_restart", outliers_to_restart), v("min_motion", min_motion), v("min_turn", min_turn);
-    v("forget_after_misses", forget_after_misses), v("expected_share", expected_share);
+    v("most_views", most_views), v("forget_after_misses", forget_after_misses),
+        v("expected_share", expected_share);
     v("expected_size", expected_size), v("expected_border", expected_border);
   }
 };
@@ -138,6 +142,7 @@ class ObjectMap {
     std::vector<Rigid3> base_from_cameras;  // of the merged views
     std::vector<Sighting> outliers;         // in a row, agreeing with each other
   };
+  void addFloor(Matrix6d* covariance) const;
   Sighting sighting(const ObjectView& view, const SeenObject& seen) const;
   Sighting equalSighting(const Sighting& sighting, const Rigid3& wanted) const;
   const ObjectModel& model(int object) const { return models_->objects[size_t(object)].model; }

@@ -109,4 +109,9 @@ GraspPlan planGrasps(const GraspObject& object, const ModelGrasps& grasps, const
                      const GripperOptions& gripper, const Puma560& arm, const Rigid3& tool0_from_tcp,
                      const JointVector& current, const GraspPlanOptions& options = {});
 
+/// The first candidate, then always the next that differs from all taken so far by 15 mm, 0.3 rad or the
+/// arm's posture; when there is none left, the others in their order. At most `count`. For whoever tries one
+/// after the other: what is in the way of one is in the way of its neighbours.
+std::vector<GraspCandidate> variedFirst(const std::vector<GraspCandidate>& candidates, int count);
+
 }  // namespace monocular_eye_hand
