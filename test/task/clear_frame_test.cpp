@@ -24,9 +24,9 @@ TEST(ClearFrame, CarriesEverythingOut) {
   world.put(kBridge, 1, at(0.55, -0.05));
   world.put(kGrenade, 0, at(0.5, 0.0));
   world.put(kGrenade, 1, at(0.9, 0.0));  // beside the frame
-  std::vector<ClearFrameFeedback> told;
-  ClearFrameTask task(&kModels, &world, {}, {}, [&](const ClearFrameFeedback& f) { told.push_back(f); });
-  const ClearFrameResult result = task.run();
+  std::vector<TaskFeedback> told;
+  ClearFrameTask task(&kModels, &world, {}, {}, [&](const TaskFeedback& f) { told.push_back(f); });
+  const TaskResult result = task.run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
   EXPECT_THAT(result.reason, HasSubstr("3 carried out"));
   ASSERT_EQ(result.objects.size(), 3u);
@@ -55,7 +55,7 @@ TEST(ClearFrame, CarriesEverythingOut) {
 
 TEST(ClearFrame, AnEmptyFrameIsCleared) {
   World world;
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_TRUE(result.objects.empty());
   EXPECT_EQ(world.motions, 0);
@@ -65,7 +65,7 @@ TEST(ClearFrame, WithoutAFrameNothingMoves) {
   World world;
   world.things.clear();
   world.put(kBridge, 0, at(0.5, 0));
-  ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kNoFrame);
   EXPECT_THAT(result.reason, HasSubstr("no frame was found"));
   EXPECT_EQ(world.motions, 0);
@@ -79,7 +79,7 @@ TEST(ClearFrame, WithoutAFrameNothingMoves) {
 TEST(ClearFrame, AnUncertainPoseIsLookedAtFromNearer) {
   World world;
   world.put(kBridge, 0, at(0.5, 0)).uncertain = 2;
-  ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_THAT(world.log, Contains("near bridge1"));
   EXPECT_EQ(object(result, kBridge, 0).near_looks, 2);
@@ -99,7 +99,7 @@ TEST(ClearFrame, AGraspWithoutRoomIsNotTried) {
   World world;
   world.put(kBridge, 0, at(0.5, 0));
   world.clearance_fits = false;
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kLeftovers);
   EXPECT_THAT(object(result, kBridge, 0).reason, HasSubstr("no grasp leaves room"));
   EXPECT_EQ(world.motions, 0);
@@ -109,7 +109,7 @@ TEST(ClearFrame, UnreachableStaysWithItsReasonTheOthersGo) {
   World world;
   world.put(kBridge, 0, at(0.5, 0)).refused = "bridge: of 80 grasps 80 unreachable";
   world.put(kGrenade, 0, at(0.55, 0));
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kLeftovers);
   EXPECT_THAT(result.reason, HasSubstr("bridge 0: bridge: of 80 grasps 80 unreachable"));
   EXPECT_EQ(object(result, kGrenade, 0).outcome, ObjectOutcome::kCarried);
@@ -120,7 +120,7 @@ TEST(ClearFrame, WhatOthersBlockIsTriedAgainWhenTheyAreGone) {
   World world;
   world.put(kBridge, 0, at(0.5, 0)).blocked_by_others = true;
   world.put(kGrenade, 0, at(0.55, 0));
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);
 }
@@ -129,7 +129,7 @@ TEST(ClearFrame, TheNextGraspIsTriedWhenOneHasNoPath) {
   World world;
   world.put(kBridge, 0, at(0.5, 0)).picks = {{TaskPickOutcome::kInCollision, "gripper and frame"},
                                              {TaskPickOutcome::kUnreachable, "limits"}};
-  ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_THAT(world.log, Contains("pick bridge0 by grasp 2"));
   EXPECT_EQ(object(result, kBridge, 0).picks, 1);
@@ -153,7 +153,7 @@ TEST(ClearFrame, RoundsAreBounded) {
   };
   ClearFrameOptions options;
   options.most_rounds = 5;
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world, options).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world, options).run();
   EXPECT_EQ(result.rounds, 5);
   EXPECT_LE(world.motions, 10);
   EXPECT_NE(result.outcome, TaskOutcome::kFault);

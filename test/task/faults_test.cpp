@@ -18,7 +18,7 @@ TEST(Faults, ASilentCameraEndsTheTaskWithoutMotion) {
   World world;
   world.put(kBridge, 0, at(0.5, 0));
   world.silent = "no image since 2 s";
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kFault);
   EXPECT_EQ(result.reason, "3 looks failed in a row: no image since 2 s");
   EXPECT_EQ(world.motions, 0);
@@ -30,7 +30,7 @@ TEST(Faults, ARecogniserThatComesBackIsWaitedFor) {
   world.put(kBridge, 0, at(0.5, 0));
   world.silent = "recognition does not answer";
   world.silent_looks = 2;
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_EQ(result.rounds, 2);
 }
@@ -41,7 +41,7 @@ TEST(Faults, ACameraThatFailsBeforePickingMovesNothing) {
   world.before_look = [&](const TaskView& view) {
     if (view.near) world.silent = "no image since 2 s";
   };
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kFault);
   EXPECT_EQ(world.motions, 0);
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kWaiting);
@@ -53,7 +53,7 @@ TEST(Faults, AnObjectRemovedBeforeTheNearLookIsNotGrasped) {
   world.before_look = [&](const TaskView& view) {
     if (view.near) world.thing(kBridge, 0).there = false;
   };
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kGone);
   EXPECT_THAT(object(result, kBridge, 0).reason, HasSubstr("not seen any more"));
@@ -77,7 +77,7 @@ TEST(Faults, AnObjectRemovedAfterTheNearLookIsAnEmptyGripper) {
 TEST(Faults, AnObjectThatOnlyAFarViewShowsIsLeft) {
   World world;
   world.put(kBridge, 0, at(0.5, 0)).hidden_from_near = true;
-  ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kLeftovers);
   EXPECT_THAT(object(result, kBridge, 0).reason, HasSubstr("a look from near did not show it"));
   EXPECT_EQ(world.motions, 0);
@@ -92,7 +92,7 @@ TEST(Faults, AnObjectThatOnlyAFarViewShowsIsLeft) {
 TEST(Faults, ALostGraspIsTriedAgainAndGivenUp) {
   World once;
   once.put(kBridge, 0, at(0.5, 0)).picks = {{TaskPickOutcome::kGraspLost, "slipped"}};
-  ClearFrameResult result = ClearFrameTask(&kModels, &once).run();
+  TaskResult result = ClearFrameTask(&kModels, &once).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_EQ(object(result, kBridge, 0).picks, 2);
 
@@ -110,7 +110,7 @@ TEST(Faults, AnEmptyGripperAfterLiftingIsALostGrasp) {
   World world;
   world.put(kBridge, 0, at(0.5, 0));
   world.slips = true;
-  const ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_EQ(object(result, kBridge, 0).picks, 2);
 }
@@ -119,7 +119,7 @@ TEST(Faults, WhatIsDroppedInTheFrameIsPickedUpAgain) {
   World world;
   world.put(kBridge, 0, at(0.5, 0));
   world.carries = {{TaskPickOutcome::kGraspLost, "the fingers closed"}};
-  ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);
 
@@ -128,7 +128,7 @@ TEST(Faults, WhatIsDroppedInTheFrameIsPickedUpAgain) {
   away.carries = {{TaskPickOutcome::kGraspLost, "the fingers closed"}};
   bool dropped = false;
   ClearFrameTask task(&kModels, &away, {}, {},
-                      [&](const ClearFrameFeedback& f) { dropped |= f.stage == TaskStage::kCarry; });
+                      [&](const TaskFeedback& f) { dropped |= f.stage == TaskStage::kCarry; });
   away.before_look = [&](const TaskView&) {
     if (dropped) away.thing(kBridge, 0).there = false, away.thing(kBridge, 0).misses_left = 0;
   };
@@ -159,7 +159,7 @@ TEST(Faults, CancelStopsBeforeEveryStage) {
     cancel = true;
     const int motions = world.motions;
     const size_t calls = world.log.size();
-    const ClearFrameResult result = task.run();
+    const TaskResult result = task.run();
     EXPECT_EQ(result.outcome, TaskOutcome::kCancelled) << late;
     EXPECT_EQ(world.motions, motions);
     EXPECT_EQ(world.log.size(), calls);
@@ -177,7 +177,7 @@ TEST(Faults, CancelDuringAMotionIsHeardFromTheArm) {
   World world;
   world.put(kBridge, 0, at(0.5, 0));
   world.carries = {{TaskPickOutcome::kCancelled, "stopped on the way"}};
-  ClearFrameResult result = ClearFrameTask(&kModels, &world).run();
+  TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCancelled);
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kHeld);
   EXPECT_THAT(result.reason, HasSubstr("carry of bridge 0: stopped on the way"));
@@ -190,7 +190,7 @@ TEST(Faults, WhatDoesNotAnswerIsNamed) {
   World gripper;
   gripper.put(kBridge, 0, at(0.5, 0));
   gripper.grip_answers = false;
-  ClearFrameResult result = ClearFrameTask(&kModels, &gripper).run();
+  TaskResult result = ClearFrameTask(&kModels, &gripper).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kFault);
   EXPECT_THAT(result.reason, HasSubstr("the gripper does not answer"));
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kHeld);

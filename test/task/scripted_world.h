@@ -160,7 +160,7 @@ class World : public TaskWorld {
   double clock = 0;
 };
 
-inline const TaskObject& object(const ClearFrameResult& result, int model, int number) {
+inline const TaskObject& object(const TaskResult& result, int model, int number) {
   return *std::find_if(result.objects.begin(), result.objects.end(), [&](const TaskObject& o) {
     return o.object.object == model && o.object.number == number;
   });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/geometry/camera.h"
+#include "monocular_eye_hand/geometry/look_at.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/model/object_model.h"
@@ -74,13 +75,6 @@ struct NamedMesh {
   std::shared_ptr<const Mesh> mesh;
 };
 std::vector<NamedMesh> namedMeshes(const ModelBase& models);
-
-/// world_from_camera of a camera at `eye` that looks at `target`; image up is world z up, then turned by
-/// `roll` [rad] about the viewing axis. Throws BadInput when eye and target coincide.
-Rigid3 lookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, double roll = 0);
-/// The same from azimuth and elevation [rad] about `target` at `distance` [m].
-Rigid3 lookFrom(double azimuth, double elevation, double distance, const Eigen::Vector3d& target,
-                double roll = 0);
 
 /// Closed meshes centred on their base: z from 0 to the height. `size`: along x, y, z [m].
 Mesh boxMesh(const Eigen::Vector3d& size);

@@ -61,7 +61,7 @@ struct TaskObject {
   int near_looks = 0;  ///< in all
 };
 
-struct ClearFrameFeedback {
+struct TaskFeedback {
   TaskStage stage = TaskStage::kLook;
   std::string object;  ///< "bridge 0"; "" when it concerns none
   int round = 0;
@@ -69,7 +69,7 @@ struct ClearFrameFeedback {
   std::string text;           ///< for people
 };
 
-struct ClearFrameResult {
+struct TaskResult {
   TaskOutcome outcome = TaskOutcome::kFault;
   std::string reason;
   std::vector<TaskObject> objects;  ///< every object ever seen in the frame, in the order of appearance
@@ -87,14 +87,14 @@ class ClearFrameTask {
   /// and when `options.frame` is not in the model base.
   ClearFrameTask(const ModelBase* models, TaskWorld* world, const ClearFrameOptions& options = {},
                  std::function<bool()> cancelled = {},
-                 std::function<void(const ClearFrameFeedback&)> feedback = {});
+                 std::function<void(const TaskFeedback&)> feedback = {});
 
   /// One stage; false when the task is done. An exception of the world ends the task as a fault.
   bool step();
-  ClearFrameResult run();  ///< step() until done
+  TaskResult run();  ///< step() until done
 
   TaskStage stage() const { return stage_; }
-  const ClearFrameResult& result() const { return result_; }
+  const TaskResult& result() const { return result_; }
 
  private:
   using Key = std::pair<int, int>;  // object, number
@@ -130,11 +130,11 @@ class ClearFrameTask {
   TaskWorld* world_;
   ClearFrameOptions options_;
   std::function<bool()> cancelled_;
-  std::function<void(const ClearFrameFeedback&)> feedback_;
+  std::function<void(const TaskFeedback&)> feedback_;
   int frame_ = -1;  // ModelBase::objects
 
   TaskStage stage_ = TaskStage::kLook;
-  ClearFrameResult result_;
+  TaskResult result_;
   std::vector<MappedObject> map_;
   std::optional<MappedObject> frame_pose_;
   std::map<Key, Progress> progress_;

@@ -1,0 +1,38 @@
+#pragma once
+#include <vector>
+
+#include "monocular_eye_hand/arm/puma560.h"
+#include "monocular_eye_hand/task/world.h"
+
+namespace monocular_eye_hand {
+
+/// From where the task looks. Defaults stand here and nowhere else.
+struct CameraViewOptions {
+  double overview_distance = 0.55;   ///< camera to the middle of the frame [m]
+  double overview_elevation = 1.15;  ///< above the horizon [rad]
+  double overview_turn = 0.9;        ///< azimuth from one overview to the next [rad]
+  double near_distance = 0.36;       ///< camera to the object at the first near look [m]
+  double near_step = 0.05;           ///< so much nearer with every further one [m]
+  double nearest = 0.28;             ///< but never nearer than this [m]
+  double near_elevation = 1.0;       ///< above the horizon [rad]
+  double near_turn = 1.3;            ///< azimuth from one near look to the next [rad]
+  int most = 24;                     ///< poses handed to the planner
+
+  void check() const;  ///< throws BadInput naming field, value and rule
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("overview_distance", overview_distance), v("overview_elevation", overview_elevation);
+    v("overview_turn", overview_turn), v("near_distance", near_distance), v("near_step", near_step);
+    v("nearest", nearest), v("near_elevation", near_elevation), v("near_turn", near_turn), v("most", most);
+  }
+};
+
+/// Camera poses (base_from_camera) from which to look at `target` (base frame [m]), the best first: near the
+/// wished direction, and there soonest reached from `current`. All are within reach of the arm; empty when
+/// none is. The directions of successive overviews alternate about that of the robot itself, those of near
+/// looks go round the object, so that several views cross.
+std::vector<Rigid3> cameraViews(const TaskView& view, const Eigen::Vector3d& target, const Puma560& arm,
+                                const Rigid3& tool0_from_camera, const JointVector& current,
+                                const CameraViewOptions& options = {});
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,118 @@
+#include "monocular_eye_hand/task/camera_views.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+const Eigen::Vector3d kTarget(0.55, 0.05, 0.32);
+
+class CameraViews : public testing::Test {
+ protected:
+  CameraViews() { current_ << 0, 0.8, -2.6, 0, -1.3, 0; }
+  std::vector<Rigid3> views(const TaskView& view, const Eigen::Vector3d& target = kTarget,
+                            const CameraViewOptions& options = {}) const {
+    return cameraViews(view, target, arm_, description_.tool0_from_camera, current_, options);
+  }
+  static double azimuth(const Rigid3& base_from_camera) {
+    const Eigen::Vector3d d = base_from_camera.translation - kTarget;
+    return std::atan2(d.y(), d.x());
+  }
+
+  const Puma560 arm_;
+  const ArmDescription description_ =
+      loadArmDescription(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/urdf/puma560.urdf");
+  JointVector current_;
+};
+
+TaskView overview(int i) {
+  TaskView view;
+  view.overview = i;
+  return view;
+}
+
+TaskView nearLook(int approach) {
+  TaskView view;
+  view.near = true;
+  view.approach = approach;
+  return view;
+}
+
+TEST_F(CameraViews, look_at_the_target_from_within_reach) {
+  const CameraViewOptions options;
+  for (const TaskView& view :
+       {overview(0), overview(1), overview(2), nearLook(0), nearLook(1), nearLook(3)}) {
+    const std::vector<Rigid3> poses = views(view);
+    ASSERT_FALSE(poses.empty());
+    EXPECT_LE(int(poses.size()), options.most);
+    for (const Rigid3& pose : poses) {
+      const Eigen::Vector3d in_camera = pose.inverse() * kTarget;
+      EXPECT_NEAR(in_camera.head<2>().norm(), 0, 1e-9) << "the target is in the middle of the image";
+      EXPECT_GE(in_camera.z(), options.nearest - 1e-9);
+      EXPECT_LE(in_camera.z(), view.near ? options.near_distance + 1e-9 : options.overview_distance + 1e-9);
+      EXPECT_GT(pose.translation.z(), kTarget.z() + 0.1);
+      ArmSolutions solutions;
+      arm_.inverse(pose * description_.tool0_from_camera.inverse(), current_, &solutions);
+      EXPECT_FALSE(solutions.empty());
+    }
+  }
+}
+
+TEST_F(CameraViews, successive_views_cross) {
+  for (const auto& [a, b] : {std::pair{overview(0), overview(1)}, std::pair{nearLook(0), nearLook(1)}}) {
+    const Eigen::Vector3d from_a = (views(a)[0].translation - kTarget).normalized();
+    const Eigen::Vector3d from_b = (views(b)[0].translation - kTarget).normalized();
+    EXPECT_GT(std::acos(from_a.dot(from_b)), 0.15);
+  }
+}
+
+TEST_F(CameraViews, every_near_look_is_nearer_until_the_nearest) {
+  const CameraViewOptions options;
+  double before = 1e9;
+  for (int approach : {0, 1}) {
+    const double distance = (views(nearLook(approach))[0].translation - kTarget).norm();
+    EXPECT_LT(distance, before);
+    before = distance;
+  }
+  EXPECT_NEAR((views(nearLook(9))[0].translation - kTarget).norm(), options.nearest, 1e-9);
+}
+
+TEST_F(CameraViews, the_same_question_has_the_same_answer) {
+  const std::vector<Rigid3> once = views(overview(1)), again = views(overview(1));
+  ASSERT_EQ(once.size(), again.size());
+  for (size_t i = 0; i < once.size(); ++i) {
+    EXPECT_EQ(once[i].rotation, again[i].rotation);
+    EXPECT_EQ(once[i].translation, again[i].translation);
+  }
+}
+
+TEST_F(CameraViews, out_of_reach_there_is_none) { EXPECT_TRUE(views(overview(0), {3, 0, 0.3}).empty()); }
+
+TEST_F(CameraViews, what_is_wrong_is_named) {
+  const auto refusal = [&](const CameraViewOptions& options) -> std::string {
+    try {
+      views(overview(0), kTarget, options);
+    } catch (const BadInput& e) {
+      return e.what();
+    }
+    return "accepted";
+  };
+  CameraViewOptions options;
+  options.nearest = 0.5;
+  EXPECT_THAT(refusal(options), testing::HasSubstr("nearest"));
+  options = {};
+  options.overview_elevation = 2;
+  EXPECT_THAT(refusal(options), testing::HasSubstr("overview_elevation"));
+  options = {};
+  options.most = 0;
+  EXPECT_THAT(refusal(options), testing::HasSubstr("most"));
+  EXPECT_THROW(views(overview(0), {NAN, 0, 0}), BadInput);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
