@@ -64,6 +64,22 @@ std::vector<ArmBody> armBodies(const ArmDescription& arm) {
   return bodies;
 }
 
+/// A number of what the camera sees, to a nanometre and a nanoradian: the noise of that state.
+uint32_t stateKey(const WorkCell& cell) {
+  uint32_t key = mixBits(uint32_t(cell.scene().options.seed));
+  const auto add = [&key](double value) {
+    const int64_t rounded = std::llround(value * 1e9);
+    key = mixBits(mixBits(key, uint32_t(rounded)), uint32_t(rounded >> 32));
+  };
+  for (int j = 0; j < 6; ++j) add(cell.joints()[j]);
+  add(cell.gripperWidth());
+  for (const SceneObject& object : cell.scene().scene.objects) {
+    for (int k = 0; k < 9; ++k) add(object.world_from_object.rotation(k / 3, k % 3));
+    for (int k = 0; k < 3; ++k) add(object.world_from_object.translation[k]);
+  }
+  return key;
+}
+
 }  // namespace
 
 struct CellCamera::Impl {
@@ -180,13 +196,10 @@ CellImage CellCamera::capture(const WorkCell& cell) {
   image.time = cell.time();
   image.base_from_camera = cell.baseFromCamera();
   impl_->place(cell);
-  const int64_t stamp = std::llround(image.time * 1e9);
-  const uint32_t key =
-      mixBits(mixBits(uint32_t(impl_->options.seed), uint32_t(stamp)), uint32_t(stamp >> 32));
   // Shadow samples stay where they are from frame to frame: a still scene does not flicker.
   const cv::Mat1f& radiance = impl_->renderer.render(
       cell.scene().base_from_table.inverse() * image.base_from_camera, uint32_t(impl_->options.seed));
-  image.grey = impl_->sensor(radiance, key, &image.exposure);
+  image.grey = impl_->sensor(radiance, stateKey(cell), &image.exposure);
   impl_->takeMaps(&image);
   return image;
 }
