@@ -283,6 +283,7 @@ CollisionPair CollisionWorld::clearance(const JointVector& joints, double limit)
   impl_->eachPair(
       joints, std::max(limit, 0.0),
       [&](int i, const Solid& a, const Rigid3& pose_a, double, int j, const Solid& b, const Rigid3& pose_b) {
+        if (i < impl_->linkCount() && j < impl_->linkCount()) return false;
         const double distance = signedDistance(a, pose_a, b, pose_b);
         if (distance < nearest.distance) nearest = {impl_->nameOf(i), impl_->nameOf(j), distance};
         return false;

@@ -11,11 +11,14 @@ const std::array<JointLimit, 6>& limits() {
   return arm.options().joints;
 }
 JointVector over(double x, double y, double z) {
+  const JointVector near = lookingJoints();
   ArmSolutions solutions;
-  toolArm().inverse(down(x, y, z), JointVector::Zero(), &solutions);
+  toolArm().inverse(down(x, y, z), near, &solutions);
+  if (solutions.empty()) throw BadInput("not in reach");
+  JointVector best = solutions[0].joints;
   for (const ArmSolution& s : solutions)
-    if (s.branch == Branch{Shoulder::kRight, Elbow::kUp, Wrist::kPositive}) return s.joints;
-  throw BadInput("not in reach");
+    if ((s.joints - near).norm() < (best - near).norm()) best = s.joints;
+  return best;
 }
 /// From one side of a wall to the other.
 struct Walled {

@@ -110,14 +110,21 @@ TEST(Pick, StartInCollisionNamesTheObject) {
 }
 
 TEST(Pick, NoPathWithinTheBudget) {
-  CollisionWorld world = demoWorld();
-  world.addBox("wall", {0.30, 0.01, 0.25}, at(0.50, -0.25, kTableTop + 0.125));
-  EXPECT_TRUE(planPick(toolArm(), world, bridgeRequest()).planned()) << "there is a way around the wall";
+  CollisionWorld world = demoWorld();  // the hand starts in a well without a lid
+  for (double side : {-0.12, 0.12}) {
+    world.addBox("x" + std::to_string(side), {0.01, 0.25, 0.15}, at(0.40 + side, 0.3, 0.625));
+    world.addBox("y" + std::to_string(side), {0.25, 0.01, 0.15}, at(0.40, 0.3 + side, 0.625));
+  }
+  PickRequest request = bridgeRequest();
+  request.start = cartesianPath(toolArm(), request.start, down(0.40, 0.3, 0.62)).points.back();
   PlanningOptions options;
   options.path.budget = 8;
-  const PickPlan plan = planPick(toolArm(), world, bridgeRequest(), options);
-  EXPECT_EQ(plan.outcome, PickOutcome::kNoPathToDrop) << plan.reason;
-  EXPECT_NE(plan.reason.find("budget"), std::string::npos);
+  const PickPlan plan = planPick(toolArm(), world, request, options);
+  EXPECT_EQ(plan.outcome, PickOutcome::kNoPathToGrasp) << plan.reason;
+  EXPECT_NE(plan.reason.find("budget"), std::string::npos) << plan.reason;
+  const PickPlan found = planPick(toolArm(), world, request);
+  ASSERT_TRUE(found.planned()) << name(found.outcome) << ": " << found.reason;
+  expectFree(world, request, found);
 }
 
 TEST(Pick, AnArmNearSomethingMayLeave) {

@@ -66,8 +66,9 @@ class CollisionWorld {
   /// The first pair that touches in the order of links and objects (padding counts as touching), with an
   /// empty first name when there is none. `distance` is that of the true shapes.
   CollisionPair firstCollision(const JointVector& joints) const;
-  /// The nearest pair of true shapes that must not touch, the world and the arm itself; an empty name when
-  /// none is nearer than `limit` [m]. Slow.
+  /// The nearest pair of true shapes that must not touch, an object of the world or a carried one among them
+  /// (links of the arm pass each other within millimetres); an empty name when none is nearer than `limit`
+  /// [m]. Slow.
   CollisionPair clearance(const JointVector& joints, double limit = 0.1) const;
 
   /// No point of the arm or the carried object moves further than this when the joints turn by `delta` [m].
