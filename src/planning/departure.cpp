@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/planning/move_planner.h"
+#include "planning/pick_ways.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kStep = 5e-4;  // of any point of the arm between two tests of true shapes [m]
+constexpr double kLengths[] = {0.01, 0.02, 0.05, 0.1};  // of a straight way out [m]
+constexpr double kTurns[] = {0.05, 0.1, 0.2};           // of a single joint [rad]
+
+void pad(CollisionWorld* world, double padding) {
+  world->setPadding(padding);
+  world->setCarriedPadding(padding);
+}
+
+/// The largest of padding, padding / 2, ... near_padding that the joints are free with; below 0: none.
+double freePadding(CollisionWorld* world, const JointVector& joints, const PlanningOptions& options) {
+  for (double padding = options.padding;; padding = std::max(options.near_padding, padding / 2)) {
+    pad(world, padding);
+    if (world->valid(joints)) return padding;
+    if (padding <= options.near_padding) return -1;
+  }
+}
+
+bool lineFree(const PathTest& test, const std::vector<JointVector>& points) {
+  int tests = 0;
+  for (size_t i = 0; i + 1 < points.size(); ++i)
+    if (!edgeFree(test, points[i], points[i + 1], 0.01, true, &tests)) return false;
+  return true;
+}
+
+std::vector<std::vector<JointVector>> waysOut(const ToolArm& arm, const JointVector& start,
+                                              const PlanningOptions& options) {
+  std::vector<std::vector<JointVector>> ways;
+  const Rigid3 tcp = arm.baseFromTcp(start);
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ(), x = Eigen::Vector3d::UnitX(),
+                        y = Eigen::Vector3d::UnitY(), back = -tcp.rotation.col(2);
+  for (double length : kLengths)
+    for (const Eigen::Vector3d& direction : {up, back, x, Eigen::Vector3d(-x), y, Eigen::Vector3d(-y)}) {
+      Rigid3 goal = tcp;
+      goal.translation += length * direction;
+      const CartesianPath line = cartesianPath(arm, start, goal, options.cartesian);
+      if (line.found()) ways.push_back(line.points);
+    }
+  for (double turn : kTurns)
+    for (int joint = 0; joint < 6; ++joint)
+      for (double sign : {1.0, -1.0}) {
+        JointVector end = start;
+        end[joint] += sign * turn;
+        if (arm.arm.withinLimits(end)) ways.push_back({start, end});
+      }
+  return ways;
+}
+
+}  // namespace
+
+Departure planDeparture(const ToolArm& arm, const CollisionWorld& world, const JointVector& start,
+                        const TouchingPairs& touching, const PlanningOptions& options) {
+  options.check();
+  if (!start.allFinite()) throw BadInput("the start joints are not finite");
+  if (!arm.arm.withinLimits(start)) throw BadInput("the start joints are outside their limits");
+  Departure departure;
+  departure.end = start;
+  CollisionWorld padded = world;
+  departure.padding = freePadding(&padded, start, options);
+  if (departure.padding >= 0) return departure.possible = true, departure;
+
+  CollisionWorld bare = world;
+  pad(&bare, 0);
+  for (const auto& pair : touching) bare.allow(pair.first, pair.second);
+  if (!bare.valid(start)) {
+    departure.reason = "start: " + describe(bare.firstCollision(start));
+    return departure;
+  }
+  PathTest test = testIn(bare);
+  test.padding = kStep / 2;
+  for (const std::vector<JointVector>& way : waysOut(arm, start, options)) {
+    const double padding = freePadding(&padded, way.back(), options);
+    if (padding < 0 || !lineFree(test, way)) continue;
+    TimingOptions slow = options.timing;
+    slow.tool_speed = std::min(options.near_speed, slow.tool_speed);
+    departure.trajectory = timeParameterise(arm, way, test, slow);
+    departure.end = way.back();
+    departure.padding = padding;
+    return departure.possible = true, departure;
+  }
+  pad(&padded, options.near_padding);
+  departure.reason = "start: " + describe(padded.firstCollision(start)) + ", and no way leads away from it";
+  return departure;
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,133 @@
+#include "monocular_eye_hand/planning/move_planner.h"
+
+#include <algorithm>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "planning/pick_ways.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr int kSearches = 4;            // that may use up their share of the budget
+constexpr double kThere = 1e-6;         // no motion is needed for less [rad]
+constexpr double kNearCorner = 0.002;   // straight lines stay straight [rad]
+
+class Mover {
+ public:
+  Mover(const ToolArm& arm, const CollisionWorld& world, const MoveRequest& request,
+        const PlanningOptions& options)
+      : arm_(arm), world_(world), request_(request), options_(options) {}
+
+  MovePlan run() {
+    const Departure departure =
+        planDeparture(arm_, world_, request_.start, request_.touching, options_);
+    if (!departure.possible) return tell(MoveOutcome::kStartInCollision, departure.reason), plan_;
+    world_.setPadding(departure.padding);
+    world_.setCarriedPadding(departure.padding);
+    if (!departure.trajectory.points.empty()) plan_.motions.push_back(departure.trajectory);
+    for (size_t i = 0; i < request_.joints.size(); ++i)
+      if (reach({request_.joints[i]}, int(i), "the joint angles")) return plan_;
+    for (size_t i = 0; request_.joints.empty() && i < request_.base_from_tcp.size(); ++i) {
+      const std::string what = "pose " + std::to_string(i);
+      const auto goals =
+          solutionsByTime(arm_, request_.base_from_tcp[i], departure.end, options_.candidates);
+      if (goals.empty()) tell(MoveOutcome::kUnreachable, what + ": out of reach or joint limits");
+      if (!goals.empty() && reach(goals, int(i), what)) return plan_;
+    }
+    plan_.motions.clear();
+    return plan_;
+  }
+
+ private:
+  /// The failure that came furthest is told.
+  void tell(MoveOutcome outcome, const std::string& reason) {
+    if (!plan_.reason.empty() && outcome <= plan_.outcome) return;
+    plan_.outcome = outcome;
+    plan_.reason = reason;
+  }
+
+  bool reach(const std::vector<JointVector>& goals, int index, const std::string& what) {
+    const JointVector start =
+        plan_.motions.empty() ? request_.start : plan_.motions.back().points.back().position;
+    std::vector<JointVector> free;
+    for (const JointVector& goal : goals) {
+      if (!arm_.arm.withinLimits(goal))
+        tell(MoveOutcome::kUnreachable, what + ": outside the joint limits");
+      else if (!world_.valid(goal))
+        tell(MoveOutcome::kGoalInCollision, what + ": " + describe(world_.firstCollision(goal)));
+      else
+        free.push_back(goal);
+    }
+    if (free.empty() || failed_searches_ >= kSearches) return false;
+    PathOptions options = options_.path;
+    options.budget = std::max(1, options.budget / kSearches);
+    const JointPath path = planPath(arm_.arm.options().joints, start, free, testIn(world_), options);
+    if (!path.found()) {
+      ++failed_searches_;
+      tell(MoveOutcome::kNoPath, what + ": no free path found in " + std::to_string(path.tests) +
+                                     " tests (budget " + std::to_string(options.budget) + ")");
+      return false;
+    }
+    if ((path.points.back() - start).norm() > kThere)
+      plan_.motions.push_back(timeParameterise(arm_, path.points, testIn(world_), options_.timing));
+    plan_.outcome = MoveOutcome::kPlanned;
+    plan_.reason.clear();
+    plan_.goal = index;
+    return true;
+  }
+
+  const ToolArm& arm_;
+  CollisionWorld world_;
+  const MoveRequest& request_;
+  const PlanningOptions& options_;
+  MovePlan plan_;
+  int failed_searches_ = 0;
+};
+
+/// The pick that ended where the object is held now.
+PickRequest pickBefore(const ToolArm& arm, const CollisionWorld& world, const PlaceRequest& request,
+                       const Rigid3& base_from_tcp) {
+  (void)arm;
+  PickRequest pick;
+  pick.start = request.start;
+  pick.target.object = world.carried();
+  pick.target.base_from_tcp_before = pick.target.base_from_tcp_grasp = pick.target.base_from_tcp_after =
+      base_from_tcp;
+  pick.target.open_width = request.open_width;
+  pick.target.grip_width = request.grip_width;
+  pick.drops = request.drops;
+  pick.supports = request.supports;
+  return pick;
+}
+
+}  // namespace
+
+std::string name(MoveOutcome outcome) {
+  switch (outcome) {
+    case MoveOutcome::kPlanned:
+      return "planned";
+    case MoveOutcome::kStartInCollision:
+      return "start in collision";
+    case MoveOutcome::kUnreachable:
+      return "unreachable";
+    case MoveOutcome::kGoalInCollision:
+      return "goal in collision";
+    case MoveOutcome::kNoPath:
+      return "no path";
+  }
+  return "unknown";
+}
+
+MovePlan planMove(const ToolArm& arm, const CollisionWorld& world, const MoveRequest& request,
+                  const PlanningOptions& options) {
+  options.check();
+  if (request.base_from_tcp.empty() == request.joints.empty())
+    throw BadInput("a motion needs poses or joint angles, and not both");
+  for (const Rigid3& pose : request.base_from_tcp)
+    if (!pose.isFinite()) throw BadInput("a pose is not finite");
+  for (const JointVector& joints : request.joints)
+    if (!joints.allFinite()) throw BadInput("joint angles are not finite");
+  return Mover(arm, world, request, options).run();
+}
+
+}  // namespace monocular_eye_hand
