@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <opencv2/imgproc.hpp>
 
 #include "footprint.h"
 #include "monocular_eye_hand/geometry/error.h"
@@ -51,10 +52,32 @@ std::vector<TopGrasp> topGrasps(const Mesh& mesh, const Rigid3& table_from_objec
   return grasps;
 }
 
-/// One resting pose of one model that can be held.
+/// footprint() with a margin, for many calls: the distance to the nearest covered cell decides.
+Footprint grown(const Footprint& own, double by) {
+  const int margin = int(std::ceil(by / kCell));
+  Footprint out{{}, own.corner - cv::Point(margin, margin)};
+  cv::Mat1b free;
+  cv::copyMakeBorder(own.mask == 0, free, margin, margin, margin, margin, cv::BORDER_CONSTANT,
+                     cv::Scalar(255));
+  cv::Mat1f distance;
+  cv::distanceTransform(free, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  out.mask = distance <= by / kCell;
+  return out;
+}
+
+/// A resting pose that can be held, and how.
 struct Choice {
-  int model;
   StablePose pose;
+  std::vector<TopGrasp> grasps;  // as the part lies with `pose` on the table
+};
+
+/// A part in its place.
+struct Placed {
+  SceneObject object;
+  Footprint footprint, grown;      // grown by CellRandom::gap
+  double top = 0;                  // its highest point [m]
+  Rigid3 turned;                   // table from where its grasps were found
+  const Choice* choice = nullptr;  // null: the frame
 };
 
 class Arranger {
@@ -65,11 +88,14 @@ class Arranger {
   }
   /// Frame first, then the parts; false when there was no room.
   bool tryOnce(std::vector<SceneObject>* objects) {
-    objects->assign(1, drawFrame());
+    placed_.clear();
+    placed_.push_back(put(drawFrame()));
     for (int k = 0; k < rules_.objects; ++k)
-      if (!placePart(objects)) return false;
-    for (size_t k = 1; k < objects->size(); ++k)
-      if (!canBeTaken(*objects, k)) return false;
+      if (!placePart()) return false;
+    for (const Placed& part : placed_)
+      if (part.choice && !canBeTaken(part)) return false;
+    objects->clear();
+    for (const Placed& part : placed_) objects->push_back(part.object);
     return true;
   }
   Generator& random() { return random_; }
@@ -77,15 +103,18 @@ class Arranger {
  private:
   void collectChoices();
   SceneObject drawFrame();
-  bool placePart(std::vector<SceneObject>* objects);
-  bool canBeTaken(const std::vector<SceneObject>& objects, size_t part) const;
+  bool placePart();
+  bool canBeTaken(const Placed& part) const;
+  Placed put(const SceneObject& object) const;
+  const Choice& drawChoice(int model);
 
   const CellRandom& rules_;
   const std::vector<NamedMesh>& models_;
   Generator random_;
   int frame_ = -1;
-  std::vector<int> drawn_;                           // models to draw from
-  std::map<int, std::vector<StablePose>> holdable_;  // their poses, weights summing to 1
+  std::vector<int> drawn_;                      // models to draw from
+  std::map<int, std::vector<Choice>> choices_;  // of each, weights summing to 1
+  std::vector<Placed> placed_;
 };
 
 void Arranger::collectChoices() {
@@ -99,14 +128,18 @@ void Arranger::collectChoices() {
     if (std::none_of(models_.begin(), models_.end(), [&](const NamedMesh& m) { return m.name == part; }))
       throw BadInput("random.parts: '" + part + "' is not in the model base");
   const auto cannotBeHeld = [&](int model) {
+    const Mesh& mesh = *models_[size_t(model)].mesh;
     double sum = 0;
-    std::vector<StablePose> poses;
-    for (const StablePose& pose : stablePoses(*models_[size_t(model)].mesh))
-      if (!topGrasps(*models_[size_t(model)].mesh, pose.table_from_object, rules_.gripper_width).empty())
-        poses.push_back(pose), sum += pose.weight;
-    for (StablePose& pose : poses) pose.weight /= sum;
-    holdable_[model] = poses;
-    return poses.empty();
+    std::vector<Choice> choices;
+    for (const StablePose& pose : stablePoses(mesh)) {
+      Choice choice{pose, topGrasps(mesh, pose.table_from_object, rules_.gripper_width)};
+      if (choice.grasps.empty()) continue;
+      sum += pose.weight;
+      choices.push_back(std::move(choice));
+    }
+    for (Choice& choice : choices) choice.pose.weight /= sum;
+    choices_[model] = choices;
+    return choices.empty();
   };
   drawn_.erase(std::remove_if(drawn_.begin(), drawn_.end(), cannotBeHeld), drawn_.end());
   if (drawn_.empty() && rules_.objects > 0)
@@ -124,63 +157,73 @@ SceneObject Arranger::drawFrame() {
   return frame;
 }
 
-bool Arranger::placePart(std::vector<SceneObject>* objects) {
+Placed Arranger::put(const SceneObject& object) const {
+  double top = 0;
+  for (const Eigen::Vector3d& p : object.mesh->vertices)
+    top = std::max(top, (object.world_from_object * p).z());
+  const Footprint own = footprint(object);
+  return {object, own, grown(own, rules_.gap), top, {}, nullptr};
+}
+
+const Choice& Arranger::drawChoice(int model) {
+  const std::vector<Choice>& choices = choices_[model];
+  double left = random_.uniform(0, 1);
+  for (const Choice& choice : choices)
+    if ((left -= choice.pose.weight) < 0) return choice;
+  return choices.front();
+}
+
+bool Arranger::placePart() {
   const int model = drawn_[size_t(random_.integer(0, int(drawn_.size()) - 1))];
-  const Rigid3 resting = drawPose(holdable_[model], &random_);
+  const Choice& choice = drawChoice(model);
   SceneObject part{models_[size_t(model)].name, model, models_[size_t(model)].mesh, {}, {}};
-  const SceneObject& frame = objects->front();
+  const SceneObject& frame = placed_.front().object;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : frame.mesh->vertices) box.extend(frame.world_from_object * p);
   for (int attempt = 0; attempt < 40; ++attempt) {
     const Rigid3 turned{
         expSO3({0, 0, random_.uniform(0, 2 * M_PI)}),
         {random_.uniform(box.min().x(), box.max().x()), random_.uniform(box.min().y(), box.max().y()), 0}};
-    part.world_from_object = turned * resting;
-    const Footprint grown = footprint(part, rules_.gap);
-    const bool free = std::all_of(objects->begin(), objects->end(), [&](const SceneObject& other) {
-      return sharedCells(grown, footprint(other)) == 0;
-    });
-    // Beside the frame is free too, but not inside: the part's middle must be where the frame's box is.
-    const cv::Point corner = grown.corner, far = corner + cv::Point(grown.mask.size());
+    part.world_from_object = turned * choice.pose.table_from_object;
+    const Footprint own = footprint(part);
+    const bool free = std::all_of(placed_.begin(), placed_.end(),
+                                  [&](const Placed& other) { return sharedCells(own, other.grown) == 0; });
+    // Beside the frame is free too: the part must lie inside the frame's box.
+    const cv::Point corner = own.corner, far = corner + cv::Point(own.mask.size());
     const bool inside = corner.x * kCell > box.min().x() && corner.y * kCell > box.min().y() &&
                         far.x * kCell < box.max().x() && far.y * kCell < box.max().y();
     if (!free || !inside) continue;
-    objects->push_back(part);
+    placed_.push_back(put(part));
+    placed_.back().turned = turned;
+    placed_.back().choice = &choice;
     return true;
   }
   return false;
 }
 
-bool Arranger::canBeTaken(const std::vector<SceneObject>& objects, size_t part) const {
-  std::vector<Footprint> others;
-  std::vector<double> tops;
-  for (size_t k = 0; k < objects.size(); ++k) {
-    if (k == part) continue;
-    others.push_back(footprint(objects[k]));
-    double top = 0;
-    for (const Eigen::Vector3d& p : objects[k].mesh->vertices)
-      top = std::max(top, (objects[k].world_from_object * p).z());
-    tops.push_back(top);
-  }
+bool Arranger::canBeTaken(const Placed& part) const {
   const auto covered = [&](const Eigen::Vector2d& p, double tip_z) {
     const cv::Point cell(int(std::lround(p.x() / kCell)), int(std::lround(p.y() / kCell)));
-    for (size_t k = 0; k < others.size(); ++k) {
-      const cv::Point at = cell - others[k].corner;
-      if (tops[k] + 0.003 > tip_z && cv::Rect({}, others[k].mask.size()).contains(at) && others[k].mask(at))
+    for (const Placed& other : placed_) {
+      const cv::Point at = cell - other.footprint.corner;
+      if (&other != &part && other.top + 0.003 > tip_z &&
+          cv::Rect({}, other.footprint.mask.size()).contains(at) && other.footprint.mask(at))
         return true;
     }
     return false;
   };
-  const auto grasps = topGrasps(*objects[part].mesh, objects[part].world_from_object, rules_.gripper_width);
-  return std::any_of(grasps.begin(), grasps.end(), [&](const TopGrasp& grasp) {
+  const Eigen::Matrix2d turn = part.turned.rotation.topLeftCorner<2, 2>();
+  const auto free = [&](const TopGrasp& grasp) {
     for (int side : {-1, 1})
       for (double y = 0; y <= rules_.finger_room; y += 0.002)
-        for (double x = -kPadHalfWidth; x <= kPadHalfWidth; x += 0.002)
-          if (covered(grasp.middle + side * (grasp.width / 2 + y) * grasp.along + x * grasp.across,
-                      grasp.tip_z))
-            return false;
+        for (double x = -kPadHalfWidth; x <= kPadHalfWidth; x += 0.002) {
+          const Eigen::Vector2d p =
+              grasp.middle + side * (grasp.width / 2 + y) * grasp.along + x * grasp.across;
+          if (covered(turn * p + part.turned.translation.head<2>(), grasp.tip_z)) return false;
+        }
     return true;
-  });
+  };
+  return std::any_of(part.choice->grasps.begin(), part.choice->grasps.end(), free);
 }
 
 }  // namespace
