@@ -65,28 +65,19 @@ BenchJoints randomJoints(const std::array<JointLimit, 6>& limits, std::mt19937_6
 }
 JointVector vectorOf(const BenchJoints& q) { return Eigen::Map<const JointVector>(q.data()); }
 
-/// Hand in the bin, looking down to 25 degrees, free for both.
-std::vector<BenchJoints> binGoals(const CollisionWorld& world, size_t count) {
-  Puma560Options lengths;
-  lengths.shoulder_height = 0;
-  lengths.d6 = 0;
-  const Puma560 arm(lengths);
+/// Hand in the bin, looking down to about 25 degrees, free for both.
+std::vector<BenchJoints> binGoals(const CollisionWorld& world, const std::array<JointLimit, 6>& limits,
+                                  size_t count) {
   std::mt19937_64 random(4);
-  const auto draw = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
   std::vector<BenchJoints> goals;
   while (goals.size() < count) {
-    Rigid3 hand = down(draw(0.53, 0.71), draw(-0.09, 0.11), draw(-0.12, 0), draw(-M_PI, M_PI));
-    const double tilt = draw(0, 25 * M_PI / 180), towards = draw(-M_PI, M_PI);
-    hand.rotation = expSO3(tilt * Eigen::Vector3d(std::cos(towards), std::sin(towards), 0)) * hand.rotation;
-    ArmSolutions solutions;
-    arm.inverse(hand, JointVector::Zero(), &solutions);
-    if (solutions.empty()) continue;
-    const JointVector& q = solutions[int(random() % unsigned(solutions.size()))].joints;
-    BenchJoints goal;
-    std::copy_n(q.data(), 6, goal.begin());
-    if (peerValid(goal) && world.valid(q)) goals.push_back(goal);
+    const BenchJoints q = randomJoints(limits, &random);
+    const Eigen::Isometry3d hand = dhFrames(q)[5];
+    const Eigen::Vector3d p = hand.translation();
+    if (hand.linear()(2, 2) > -0.9 || p.x() < 0.53 || p.x() > 0.71 || p.y() < -0.09 || p.y() > 0.11 ||
+        p.z() < -0.12 || p.z() > 0)
+      continue;
+    if (peerValid(q) && world.valid(vectorOf(q))) goals.push_back(q);
   }
   return goals;
 }
@@ -97,7 +88,7 @@ void BM_PathsSideBySide(benchmark::State& state) {
   BenchJoints low, high;
   for (int i = 0; i < 6; ++i) low[i] = limits[i].lower, high[i] = limits[i].upper;
   const BenchJoints home{{M_PI / 2, M_PI / 2, -M_PI / 2, 0, 0.3, 0}};
-  const std::vector<BenchJoints> goals = binGoals(world, 20);
+  const std::vector<BenchJoints> goals = binGoals(world, limits, 20);
   std::vector<double> ours, peer, peer_plan, ours_length, peer_length;
   int missed = 0, peer_missed = 0;
   if (!peerValid(home) || !world.valid(vectorOf(home))) state.SkipWithError("the home posture is not free");
@@ -114,9 +105,9 @@ void BM_PathsSideBySide(benchmark::State& state) {
         peer_plan.push_back(times.plan);
         peer_length.push_back(times.length);
         options.seed = run + 1;
-        const double begin = seconds();
+        const double begin = cpuSeconds();
         const JointPath path = planPath(limits, vectorOf(home), {vectorOf(goal)}, test, options);
-        ours.push_back(seconds() - begin);
+        ours.push_back(cpuSeconds() - begin);
         missed += !path.found();
         double length = 0;
         for (size_t i = 0; i + 1 < path.points.size(); ++i)

@@ -6,7 +6,7 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 
-#include <chrono>
+#include <ctime>
 #include <memory>
 
 namespace monocular_eye_hand {
@@ -36,11 +36,13 @@ bool meet(Object& a, Object& b) {
   return fcl::collide(&a, &b, request, result) > 0;
 }
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
+
+double cpuSeconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
 
 const std::vector<BenchBox>& armBoxes() {
   static const std::vector<BenchBox> boxes{
@@ -121,13 +123,13 @@ PeerTimes peerPlan(const BenchJoints& start, const BenchJoints& goal, const Benc
   setup.setPlanner(std::make_shared<og::RRTConnect>(setup.getSpaceInformation()));
   setup.setup();
   PeerTimes times;
-  const double begin = seconds();
+  const double begin = cpuSeconds();
   times.found = setup.solve(5.0) == ob::PlannerStatus::EXACT_SOLUTION;
-  const double planned = seconds();
+  const double planned = cpuSeconds();
   times.plan = planned - begin;
   if (!times.found) return times;
   setup.simplifySolution(1.0);
-  times.simplify = seconds() - planned;
+  times.simplify = cpuSeconds() - planned;
   times.length = setup.getSolutionPath().length();
   return times;
 }

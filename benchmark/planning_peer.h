@@ -24,9 +24,12 @@ std::array<Eigen::Isometry3d, 6> dhFrames(const BenchJoints& q);
 
 /// Whether no box of the arm touches the world (fcl::collide behind an AABB test), nor hand the base.
 bool peerValid(const BenchJoints& q);
+/// Of the process: OMPL's timer is a thread, whose waking up on a loaded machine is no part of the
+/// comparison.
+double cpuSeconds();
 struct PeerTimes {
   bool found = false;
-  double plan = 0, simplify = 0;  ///< [s]
+  double plan = 0, simplify = 0;  ///< CPU time [s]
   double length = 0;              ///< [rad]
 };
 /// og::SimpleSetup with RRTConnect and its defaults, then simplifySolution().

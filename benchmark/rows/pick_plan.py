@@ -13,11 +13,14 @@ def figures(bench):
                  conditions=f"{how}; re-checked at ten times the resolution")
     yield Figure("motion time, median", picks["motion_s"], "s", conditions=how)
     paths = measured["BM_PathsSideBySide/iterations:1"]
-    how = f"{paths['runs']:.0f} paths in turns, the same 17 boxes, into a bin between posts"
-    yield Figure("share of the peer's time", paths["ours_ms"] / paths["peer_ms"], "", "<= 2", "OMPL RRTConnect on FCL",
-                 conditions=f"{how}; planned and shortened; planned alone the peer takes {paths['peer_plan_ms']:.3f} ms")
-    yield Figure("free path, median", paths["ours_ms"], "ms", None, "OMPL RRTConnect on FCL", paths["peer_ms"], how)
-    yield Figure("its length, median", paths["ours_length"], "rad", None, "OMPL RRTConnect on FCL",
+    how = f"{paths['runs']:.0f} paths in turns, CPU time, the same 17 boxes, into a bin between posts"
+    peer = "OMPL RRTConnect on FCL"
+    yield Figure("share of the peer's time", paths["ours_ms"] / paths["peer_ms"], "", "<= 2", peer,
+                 conditions=f"{how}; both planned and shortened, medians")
+    yield Figure("the same, the peer not shortening", paths["ours_ms"] / paths["peer_plan_ms"], "", "<= 2", peer,
+                 conditions=f"{how}; ours planned and shortened, the peer's only planned, medians")
+    yield Figure("free path, median", paths["ours_ms"], "ms", None, peer, paths["peer_ms"], how)
+    yield Figure("its length, median", paths["ours_length"], "rad", None, peer,
                  paths["peer_length"], how)
     yield Figure("test of one posture, same boxes", measured["BM_ValidBoxes"]["cpu_time"] / 1000, "us", None,
                  "fcl::collide behind AABBs", measured["BM_PeerValid"]["cpu_time"] / 1000)
