@@ -51,8 +51,8 @@ std::vector<Piece> between(const Mesh& mesh, const Rigid3& tcp_from_object, cons
     if (apart || !(normal.norm() > 0)) continue;
     Polygon polygon{a, b, c};
     for (int k = 0; k < 3 && !polygon.empty(); ++k) {
-      clip(&polygon, k, high[k], 1);
-      clip(&polygon, k, low[k], -1);
+      if (most[k] > high[k]) clip(&polygon, k, high[k], 1);
+      if (least[k] < low[k]) clip(&polygon, k, low[k], -1);
     }
     if (!polygon.empty()) pieces.push_back({std::move(polygon), normal.normalized()});
   }

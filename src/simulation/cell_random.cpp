@@ -185,14 +185,16 @@ bool Arranger::placePart() {
         expSO3({0, 0, random_.uniform(0, 2 * M_PI)}),
         {random_.uniform(box.min().x(), box.max().x()), random_.uniform(box.min().y(), box.max().y()), 0}};
     part.world_from_object = turned * choice.pose.table_from_object;
-    const Footprint own = footprint(part);
-    const bool free = std::all_of(placed_.begin(), placed_.end(),
-                                  [&](const Placed& other) { return sharedCells(own, other.grown) == 0; });
     // Beside the frame is free too: the part must lie inside the frame's box.
-    const cv::Point corner = own.corner, far = corner + cv::Point(own.mask.size());
-    const bool inside = corner.x * kCell > box.min().x() && corner.y * kCell > box.min().y() &&
-                        far.x * kCell < box.max().x() && far.y * kCell < box.max().y();
-    if (!free || !inside) continue;
+    Eigen::AlignedBox3d around;
+    for (const Eigen::Vector3d& p : part.mesh->vertices) around.extend(part.world_from_object * p);
+    const bool inside = (around.min().head<2>().array() > box.min().head<2>().array()).all() &&
+                        (around.max().head<2>().array() < box.max().head<2>().array()).all();
+    if (!inside) continue;
+    const Footprint own = footprint(part);
+    if (std::any_of(placed_.begin(), placed_.end(),
+                    [&](const Placed& other) { return sharedCells(own, other.grown) > 0; }))
+      continue;
     placed_.push_back(put(part));
     placed_.back().turned = turned;
     placed_.back().choice = &choice;
@@ -231,7 +233,7 @@ bool Arranger::canBeTaken(const Placed& part) const {
 void arrangeAtRandom(const std::vector<NamedMesh>& models, CellScene* cell) {
   const CellRandom& rules = cell->options.random;
   Arranger arranger(rules, models);
-  constexpr int kAttempts = 400;
+  constexpr int kAttempts = 300;
   std::vector<SceneObject> objects;
   int attempt = 0;
   while (attempt < kAttempts && !arranger.tryOnce(&objects)) ++attempt;
