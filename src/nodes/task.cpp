@@ -1,0 +1,85 @@
+#include <actionlib/server/simple_action_server.h>
+#include <monocular_eye_hand/ClearFrameAction.h>
+#include <ros/ros.h>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "nodes/parameter_server.h"
+#include "nodes/task_messages.h"
+#include "nodes/task_world.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+/// The action ~clear_frame: runs the task in the action's own thread.
+class TaskNode {
+ public:
+  TaskNode(const ModelBase& models, const TaskParameters& parameters)
+      : models_(models),
+        parameters_(parameters),
+        server_(
+            ros::NodeHandle("~"), "clear_frame", [this](const ClearFrameGoalConstPtr& goal) { run(*goal); },
+            false),
+        world_(&models, parameters, [this] { return server_.isPreemptRequested() || !ros::ok(); }) {
+    server_.start();
+  }
+
+ private:
+  void run(const ClearFrameGoal& goal) {
+    const ros::Time begin = ros::Time::now();
+    TaskResult result;
+    try {
+      ClearFrameOptions options = parameters_.clear_frame;
+      if (!goal.frame.empty()) options.frame = goal.frame;
+      world_.restart();
+      ClearFrameTask task(
+          &models_, &world_, options, [this] { return server_.isPreemptRequested() || !ros::ok(); },
+          [this](const TaskFeedback& feedback) {
+            ROS_INFO("%s %s: %s", name(feedback.stage), feedback.object.c_str(), feedback.text.c_str());
+            server_.publishFeedback(toMessage(feedback));
+          });
+      result = task.run();
+    } catch (const BadInput& e) {
+      result.outcome = TaskOutcome::kFault;
+      result.reason = e.what();
+    }
+    const ClearFrameResult message =
+        toMessage(result, parameters_.base_frame, (ros::Time::now() - begin).toSec());
+    ROS_INFO("%s: %s", name(result.outcome), result.reason.c_str());
+    if (result.outcome == TaskOutcome::kCancelled)
+      server_.setPreempted(message, result.reason);
+    else if (result.outcome == TaskOutcome::kCleared)
+      server_.setSucceeded(message, result.reason);
+    else
+      server_.setAborted(message, result.reason);
+  }
+
+  const ModelBase& models_;
+  const TaskParameters parameters_;
+  actionlib::SimpleActionServer<ClearFrameAction> server_;
+  RosTaskWorld world_;
+};
+
+}  // namespace
+}  // namespace monocular_eye_hand
+
+namespace meh = monocular_eye_hand;
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "task");
+  ros::NodeHandle node;  // keeps the node up
+  try {
+    meh::TaskParameters parameters;
+    meh::readOptions(meh::privateParameters({}), &parameters);
+    const meh::ModelBase models = meh::loadModelBase(parameters.objects, {}, parameters.cache);
+    ros::AsyncSpinner spinner(2);  // topics and answers arrive while the task waits for them
+    spinner.start();
+    const meh::TaskNode task(models, parameters);
+    ROS_INFO("ready; the frame is %s", parameters.clear_frame.frame.c_str());
+    ros::waitForShutdown();
+    return 0;
+  } catch (const std::exception& e) {
+    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
+  }
+  return 1;
+}

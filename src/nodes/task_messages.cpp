@@ -1,0 +1,129 @@
+#include "nodes/task_messages.h"
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "nodes/conversion.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+uint8_t code(ObjectOutcome outcome) {
+  switch (outcome) {
+    case ObjectOutcome::kWaiting:
+      return ClearedObject::WAITING;
+    case ObjectOutcome::kCarried:
+      return ClearedObject::CARRIED;
+    case ObjectOutcome::kGone:
+      return ClearedObject::GONE;
+    case ObjectOutcome::kLeft:
+      return ClearedObject::LEFT;
+    case ObjectOutcome::kHeld:
+      return ClearedObject::HELD;
+    case ObjectOutcome::kDropped:
+      return ClearedObject::DROPPED;
+  }
+  return ClearedObject::LEFT;
+}
+
+uint8_t code(TaskOutcome outcome) {
+  switch (outcome) {
+    case TaskOutcome::kCleared:
+      return ClearFrameResult::CLEARED;
+    case TaskOutcome::kLeftovers:
+      return ClearFrameResult::LEFTOVERS;
+    case TaskOutcome::kNoFrame:
+      return ClearFrameResult::NO_FRAME;
+    case TaskOutcome::kCancelled:
+      return ClearFrameResult::CANCELLED;
+    case TaskOutcome::kFault:
+      return ClearFrameResult::FAULT;
+  }
+  return ClearFrameResult::FAULT;
+}
+
+JointVector fromArray(const boost::array<double, 6>& joints) {
+  return Eigen::Map<const JointVector>(joints.data());
+}
+
+}  // namespace
+
+MappedObject fromMessage(const LocatedObject& message, const ModelBase& models) {
+  MappedObject object;
+  object.object = models.indexOf(message.name);
+  if (object.object < 0)
+    throw BadInput("eye_hand knows an object \"" + message.name + "\" that is not in the model base (" +
+                   models.names() + "): both nodes must load the same file");
+  object.name = message.name;
+  object.number = message.instance;
+  object.base_from_object = fromPose(message.pose.pose);
+  object.covariance =
+      Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(message.pose.covariance.data());
+  object.free_axis = message.free_axis;
+  object.probability = message.probability;
+  object.views = message.views;
+  object.misses = message.misses;
+  object.last_stamp = message.header.stamp.toSec();
+  return object;
+}
+
+LocatedObject toMessage(const MappedObject& object, const std::string& base_frame) {
+  LocatedObject message;
+  message.header.stamp = ros::Time(object.last_stamp);
+  message.header.frame_id = base_frame;
+  message.name = object.name;
+  message.instance = object.number;
+  message.pose = toPose(object.base_from_object, object.covariance);
+  message.probability = object.probability;
+  message.free_axis = object.free_axis;
+  message.views = object.views;
+  message.misses = object.misses;
+  return message;
+}
+
+GraspCandidate fromMessage(const GraspTarget& message) {
+  GraspCandidate grasp;
+  grasp.base_from_pregrasp = fromPose(message.pregrasp);
+  grasp.base_from_grasp = fromPose(message.grasp);
+  grasp.base_from_retreat = fromPose(message.retreat);
+  grasp.width = message.width;
+  grasp.opening = message.opening;
+  grasp.approach = {message.approach.x, message.approach.y, message.approach.z};
+  grasp.pregrasp_joints = fromArray(message.pregrasp_joints);
+  grasp.grasp_joints = fromArray(message.grasp_joints);
+  grasp.retreat_joints = fromArray(message.retreat_joints);
+  grasp.free = message.free;
+  grasp.needed = message.needed;
+  grasp.quality = message.quality;
+  grasp.source = message.reason;
+  return grasp;
+}
+
+ClearFrameResult toMessage(const TaskResult& result, const std::string& base_frame, double duration) {
+  ClearFrameResult message;
+  message.outcome = code(result.outcome);
+  message.reason = result.reason;
+  for (const TaskObject& object : result.objects) {
+    ClearedObject cleared;
+    cleared.object = toMessage(object.object, base_frame);
+    cleared.outcome = code(object.outcome);
+    cleared.reason = object.reason;
+    cleared.picks = object.picks;
+    cleared.near_looks = object.near_looks;
+    message.objects.push_back(cleared);
+  }
+  message.rounds = result.rounds;
+  message.duration = duration;
+  return message;
+}
+
+ClearFrameFeedback toMessage(const TaskFeedback& feedback) {
+  ClearFrameFeedback message;
+  message.stage = name(feedback.stage);
+  message.object = feedback.object;
+  message.round = feedback.round;
+  message.carried = feedback.carried;
+  message.left = feedback.left;
+  message.text = feedback.text;
+  return message;
+}
+
+}  // namespace monocular_eye_hand

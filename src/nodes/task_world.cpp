@@ -1,0 +1,273 @@
+#include "nodes/task_world.h"
+
+#include <cmath>
+#include <utility>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "nodes/conversion.h"
+#include "nodes/task_messages.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+const char kObjects[] = "eye_hand/objects";
+const char kGraspTargets[] = "eye_hand/grasp_targets";
+const char kForget[] = "eye_hand/forget";
+const char kPick[] = "planner/pick";
+const char kPlace[] = "planner/place";
+const char kMove[] = "planner/move";
+const ros::WallDuration kPoll(0.05);
+
+// One function reads all results: the planner's outcomes have the same numbers in Pick, Place and Move.
+constexpr bool same(int a, int b, int c) { return a == b && b == c; }
+static_assert(same(PickResult::DONE, PlaceResult::DONE, MoveResult::DONE));
+static_assert(same(PickResult::UNREACHABLE, PlaceResult::UNREACHABLE, MoveResult::UNREACHABLE));
+static_assert(same(PickResult::IN_COLLISION, PlaceResult::IN_COLLISION, MoveResult::IN_COLLISION));
+static_assert(same(PickResult::CANCELLED, PlaceResult::CANCELLED, MoveResult::CANCELLED));
+static_assert(same(PickResult::FAULT, PlaceResult::FAULT, MoveResult::FAULT));
+static_assert(int(PickResult::GRASP_LOST) == int(PlaceResult::GRASP_LOST));
+
+TaskPickOutcome outcomeOf(uint8_t code) {
+  switch (code) {
+    case PickResult::DONE:
+      return TaskPickOutcome::kDone;
+    case PickResult::UNREACHABLE:
+      return TaskPickOutcome::kUnreachable;
+    case PickResult::IN_COLLISION:
+      return TaskPickOutcome::kInCollision;
+    case PickResult::GRASP_LOST:
+      return TaskPickOutcome::kGraspLost;
+    case PickResult::CANCELLED:
+      return TaskPickOutcome::kCancelled;
+    default:
+      return TaskPickOutcome::kFault;
+  }
+}
+
+/// Sends a goal and waits for its result. A cancelled task cancels the goal and waits on: the planner stops
+/// the arm and says so.
+template <class Client, class Goal>
+TaskPick execute(Client* client, const char* action, const Goal& goal, const TaskParameters& parameters,
+                 const std::function<bool()>& cancelled) {
+  const std::string called(action);
+  const auto fault = [&](const std::string& what) {
+    return TaskPick{TaskPickOutcome::kFault, "the action " + called + " " + what};
+  };
+  const ros::WallTime begin = ros::WallTime::now();
+  while (!client->isServerConnected()) {
+    if (cancelled()) return {TaskPickOutcome::kCancelled, "cancelled"};
+    if (ros::WallTime::now() - begin > ros::WallDuration(parameters.answer_timeout))
+      return fault("does not answer: is the node planner running?");
+    kPoll.sleep();
+  }
+  client->sendGoal(goal);
+  bool asked_to_stop = false;
+  const ros::WallTime sent = ros::WallTime::now();
+  while (!client->getState().isDone()) {
+    if (cancelled() && !asked_to_stop) client->cancelGoal(), asked_to_stop = true;
+    if (!client->isServerConnected()) return fault("went away while it worked");
+    if (ros::WallTime::now() - sent > ros::WallDuration(parameters.motion_timeout)) {
+      client->cancelGoal();
+      return fault("took longer than motion_timeout = " + std::to_string(parameters.motion_timeout) + " s");
+    }
+    kPoll.sleep();
+  }
+  const auto result = client->getResult();
+  if (!result) return fault("ended without a result: " + client->getState().getText());
+  if (client->getState() == actionlib::SimpleClientGoalState::REJECTED)
+    return fault("refused the goal: " + client->getState().getText());
+  return {outcomeOf(result->outcome), result->reason};
+}
+
+}  // namespace
+
+RosTaskWorld::RosTaskWorld(const ModelBase* models, const TaskParameters& parameters,
+                           std::function<bool()> cancelled)
+    : models_(models),
+      parameters_(parameters),
+      cancelled_(std::move(cancelled)),
+      arm_(parameters.arm),
+      description_(loadArmDescription(parameters.urdf)),
+      pick_(kPick, false),
+      place_client_(kPlace, false),
+      move_(kMove, false) {
+  requireSameArm(description_, arm_);
+  objects_subscriber_ = node_.subscribe(kObjects, 10, &RosTaskWorld::objectsCallback, this);
+  gripper_subscriber_ = node_.subscribe("gripper/state", 10, &RosTaskWorld::gripperCallback, this);
+  joints_subscriber_ = node_.subscribe("joint_states", 10, &RosTaskWorld::jointsCallback, this);
+  grasp_targets_ = node_.serviceClient<GraspTargets>(kGraspTargets);
+  forget_ = node_.serviceClient<ForgetObject>(kForget);
+}
+
+void RosTaskWorld::objectsCallback(const LocatedObjectArray& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  view_ = message;
+  new_view_.notify_all();
+}
+
+void RosTaskWorld::gripperCallback(const GripperState& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  gripper_ = message;
+  gripper_at_ = ros::WallTime::now();
+}
+
+void RosTaskWorld::jointsCallback(const sensor_msgs::JointState& message) {
+  JointVector joints;
+  for (int i = 0; i < 6; ++i) {
+    const std::string wanted = "joint" + std::to_string(i + 1);
+    size_t at = 0;
+    while (at < message.name.size() && message.name[at] != wanted) ++at;
+    if (at >= message.name.size() || at >= message.position.size()) return;  // another device's message
+    joints[i] = message.position[at];
+  }
+  if (!joints.allFinite()) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  joints_ = joints;
+  joints_at_ = ros::WallTime::now();
+}
+
+std::optional<JointVector> RosTaskWorld::joints() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!joints_ || ros::WallTime::now() - joints_at_ > ros::WallDuration(parameters_.state_max_age))
+    return std::nullopt;
+  return joints_;
+}
+
+Eigen::Vector3d RosTaskWorld::lookTarget(const TaskView& view) const {
+  const auto centreOf = [&](int object, const Rigid3& base_from_object) -> Eigen::Vector3d {
+    return base_from_object * models_->objects[size_t(object)].model.centre();
+  };
+  if (view.near) return centreOf(view.object.object, view.object.base_from_object);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (view_)
+    for (const LocatedObject& object : view_->objects)
+      if (object.name == parameters_.clear_frame.frame)
+        return centreOf(models_->indexOf(object.name), fromPose(object.pose.pose));
+  return Eigen::Map<const Eigen::Vector3d>(parameters_.centre.data());
+}
+
+TaskLook RosTaskWorld::look(const TaskView& view) {
+  TaskLook look;
+  const std::optional<JointVector> current = joints();
+  if (!current) {
+    look.reason = "no joint_states of joint1 to joint6: is the arm's driver (or work_cell) running?";
+    return look;
+  }
+  const std::vector<Rigid3> poses =
+      cameraViews(view, lookTarget(view), arm_, description_.tool0_from_camera, *current, parameters_.views);
+  if (poses.empty()) {
+    look.reason = "no camera pose from which to look there is within the arm's reach";
+    return look;
+  }
+  MoveGoal goal;
+  goal.link = "camera_optical_frame";
+  for (const Rigid3& pose : poses) goal.poses.push_back(toPose(pose));
+  const TaskPick moved = move(goal);
+  if (moved.outcome != TaskPickOutcome::kDone) {
+    look.reason = "the camera did not get there: " + moved.reason;
+    return look;
+  }
+  return waitForView(ros::Time::now() + ros::Duration(parameters_.settle));
+}
+
+TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
+  TaskLook look;
+  std::string refused;
+  const ros::WallTime begin = ros::WallTime::now();
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (true) {
+    if (view_ && view_->header.stamp >= after) {
+      if (view_->refused.empty()) break;
+      refused = view_->refused;
+    }
+    if (cancelled_()) {
+      look.reason = "cancelled";
+      return look;
+    }
+    if (ros::WallTime::now() - begin > ros::WallDuration(parameters_.look_timeout)) {
+      look.reason = refused.empty() ? "no view on eye_hand/objects within look_timeout = " +
+                                          std::to_string(parameters_.look_timeout) +
+                                          " s: do camera, recognizer and eye_hand run?"
+                                    : "eye_hand refuses the views: " + refused;
+      return look;
+    }
+    new_view_.wait_for(lock, std::chrono::milliseconds(50));
+  }
+  look.done = true;
+  look.stamp = view_->header.stamp.toSec();
+  for (const LocatedObject& object : view_->objects) look.objects.push_back(fromMessage(object, *models_));
+  return look;
+}
+
+GraspPlan RosTaskWorld::graspTargets(const MappedObject& object) {
+  GraspPlan plan;
+  GraspTargets call;
+  call.request.name = object.name;
+  call.request.instance = object.number;
+  if (!grasp_targets_.waitForExistence(ros::Duration(parameters_.answer_timeout)) ||
+      !grasp_targets_.call(call))
+    throw BadInput(std::string("the service ") + kGraspTargets +
+                   " does not answer: is the node eye_hand running?");
+  targets_ = call.response.targets;
+  plan.reason = call.response.text;
+  plan.too_uncertain = call.response.status == GraspTargetsResponse::TOO_UNCERTAIN;
+  if (call.response.status != GraspTargetsResponse::FOUND) targets_.clear();
+  for (size_t i = 0; i < targets_.size(); ++i) {
+    plan.candidates.push_back(fromMessage(targets_[i]));
+    plan.candidates.back().model_grasp = int(i);
+  }
+  return plan;
+}
+
+TaskPick RosTaskWorld::pick(const MappedObject& object, const GraspCandidate& grasp) {
+  if (grasp.model_grasp < 0 || grasp.model_grasp >= int(targets_.size()) ||
+      targets_[size_t(grasp.model_grasp)].name != object.name)
+    return {TaskPickOutcome::kFault, "the grasp is none of the last asked for"};
+  PickGoal goal;
+  goal.target = targets_[size_t(grasp.model_grasp)];
+  goal.place = place_;
+  return execute(&pick_, kPick, goal, parameters_, cancelled_);
+}
+
+TaskGrip RosTaskWorld::grip() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  TaskGrip grip;
+  if (!gripper_ || ros::WallTime::now() - gripper_at_ > ros::WallDuration(parameters_.state_max_age)) {
+    grip.reason = "gripper/state is silent";
+    return grip;
+  }
+  grip.known = true;
+  grip.holding = gripper_->stalled && gripper_->width > parameters_.holding_width;
+  grip.reason =
+      "width " + std::to_string(1e3 * gripper_->width) + " mm" + (gripper_->stalled ? ", stalled" : "");
+  return grip;
+}
+
+TaskPick RosTaskWorld::carry(const MappedObject& object, int place) {
+  PlaceGoal goal;
+  goal.place = place;
+  const TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
+  if (placed.outcome != TaskPickOutcome::kDone) return placed;
+  place_ = place + 1;
+  ForgetObject call;
+  call.request.name = object.name;
+  call.request.instance = object.number;
+  if (!forget_.call(call))
+    return {TaskPickOutcome::kFault, std::string("the service ") + kForget + " does not answer"};
+  return placed;
+}
+
+TaskPick RosTaskWorld::open() {
+  const std::optional<JointVector> current = joints();
+  if (!current) return {TaskPickOutcome::kFault, "no joint_states of joint1 to joint6"};
+  MoveGoal goal;
+  goal.joints.assign(current->data(), current->data() + 6);
+  goal.open_gripper = true;
+  return move(goal);
+}
+
+TaskPick RosTaskWorld::move(const MoveGoal& goal) {
+  return execute(&move_, kMove, goal, parameters_, cancelled_);
+}
+
+}  // namespace monocular_eye_hand

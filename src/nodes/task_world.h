@@ -1,0 +1,77 @@
+#pragma once
+#include <actionlib/client/simple_action_client.h>
+#include <monocular_eye_hand/ForgetObject.h>
+#include <monocular_eye_hand/GraspTargets.h>
+#include <monocular_eye_hand/GripperState.h>
+#include <monocular_eye_hand/LocatedObjectArray.h>
+#include <monocular_eye_hand/MoveAction.h>
+#include <monocular_eye_hand/PickAction.h>
+#include <monocular_eye_hand/PlaceAction.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/task/world.h"
+#include "nodes/task_parameters.h"
+
+namespace monocular_eye_hand {
+
+/// The robot as the task sees it: the nodes eye_hand and planner, the gripper and the joints, by their
+/// topics, services and actions. Calls block; callbacks must run in other threads. Every wait ends by its
+/// time-out or when `cancelled` says so.
+class RosTaskWorld : public TaskWorld {
+ public:
+  /// Keeps a pointer to `models`.
+  RosTaskWorld(const ModelBase* models, const TaskParameters& parameters, std::function<bool()> cancelled);
+
+  TaskLook look(const TaskView& view) override;
+  GraspPlan graspTargets(const MappedObject& object) override;
+  TaskPick pick(const MappedObject& object, const GraspCandidate& grasp) override;
+  TaskGrip grip() override;
+  TaskPick carry(const MappedObject& object, int place) override;
+  TaskPick open() override;
+
+  /// A new task begins: places of the drop zone are counted from 0 again.
+  void restart() { place_ = 0; }
+
+ private:
+  void objectsCallback(const LocatedObjectArray& message);
+  void gripperCallback(const GripperState& message);
+  void jointsCallback(const sensor_msgs::JointState& message);
+  std::optional<JointVector> joints() const;
+  Eigen::Vector3d lookTarget(const TaskView& view) const;
+  TaskLook waitForView(const ros::Time& after);
+  TaskPick move(const MoveGoal& goal);
+
+  const ModelBase* models_;
+  const TaskParameters parameters_;
+  const std::function<bool()> cancelled_;
+  const Puma560 arm_;
+  const ArmDescription description_;
+  int place_ = 0;
+
+  ros::NodeHandle node_;
+  ros::Subscriber objects_subscriber_, gripper_subscriber_, joints_subscriber_;
+  ros::ServiceClient grasp_targets_, forget_;
+  actionlib::SimpleActionClient<PickAction> pick_;
+  actionlib::SimpleActionClient<PlaceAction> place_client_;
+  actionlib::SimpleActionClient<MoveAction> move_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable new_view_;
+  std::optional<LocatedObjectArray> view_;
+  std::optional<GripperState> gripper_;
+  std::optional<JointVector> joints_;
+  ros::WallTime gripper_at_, joints_at_;
+  std::vector<GraspTarget> targets_;  // of the last graspTargets(); GraspCandidate::model_grasp counts in it
+};
+
+}  // namespace monocular_eye_hand
