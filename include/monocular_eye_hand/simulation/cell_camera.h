@@ -20,10 +20,10 @@ struct CellImage {
 };
 
 /// The wrist camera of a cell: the look of renderScene at a small part of its time. The geometry is prepared
-/// once; a frame only places it. One ray per pixel, sixteen where surfaces meet, four shadow rays per pixel
-/// and light shared with the neighbours on the same surface (interleaved sampling: A. Keller and W. Heidrich,
-/// EGWR 2001). The same cell state (joints, opening, objects) and options give the same image, noise
-/// included, at any time and whatever the number of threads.
+/// once; a frame only places it. One ray per pixel, sixteen where surfaces meet. One shadow ray per pixel and
+/// light, four where a shadow ends sharply; neighbours on the same surface share them (interleaved sampling:
+/// A. Keller and W. Heidrich, EGWR 2001). The same cell state and options give the same image whatever the
+/// number of threads. The shutter is infinitely short: no motion blur.
 class CellCamera {
  public:
   /// For cells made of this cell's scene and arm. `threads`: 0 takes as many as the machine has cores. Throws
