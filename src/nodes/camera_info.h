@@ -25,5 +25,11 @@ enum class ImageKind {
 /// unsupported distortion model, a right-hand stereo projection, and when the sizes of image and calibration
 /// differ.
 Camera cameraFromInfo(const sensor_msgs::CameraInfo& info, ImageKind kind, int width, int height);
+/// The camera of an image of the size that `info` says.
+Camera cameraFromInfo(const sensor_msgs::CameraInfo& info, ImageKind kind);
+
+/// The calibration of a raw image of this camera; its header is left to the caller. image_rect of it has the
+/// same fx, fy, cx, cy.
+sensor_msgs::CameraInfo toCameraInfo(const Camera& camera);
 
 }  // namespace monocular_eye_hand

@@ -44,8 +44,8 @@ Marker deletion(const std_msgs::Header& header, const std::string& space, int id
 
 }  // namespace
 
-MarkerBuilder::MarkerBuilder(const ModelBase& models, int most_triangles)
-    : models_(models), most_triangles_(most_triangles) {}
+MarkerBuilder::MarkerBuilder(const ModelBase& models, int most_triangles, const Eigen::Vector3d& up)
+    : models_(models), most_triangles_(most_triangles), up_(up) {}
 
 visualization_msgs::MarkerArray MarkerBuilder::build(const std_msgs::Header& header,
                                                      const std::vector<ObjectEstimate>& objects,
@@ -107,10 +107,7 @@ Marker MarkerBuilder::label(const std_msgs::Header& header, const ObjectEstimate
   marker.id = instance;
   marker.type = Marker::TEXT_VIEW_FACING;
   marker.action = Marker::ADD;
-  // Above the object as the camera sees it: -y of the optical frame.
-  Eigen::Vector3d p = object.camera_from_object * model.centre();
-  p.y() -= 0.6 * model.diameter;
-  marker.pose.position = toPoint(p);
+  marker.pose.position = toPoint(object.camera_from_object * model.centre() + 0.6 * model.diameter * up_);
   marker.pose.orientation.w = 1;
   marker.scale.z = model.diameter / 6;
   marker.color = toColour(Colour(255, 255, 255), 1);

@@ -15,8 +15,10 @@ namespace monocular_eye_hand {
 /// object; ambiguous ones are translucent. Markers that a former image had and this one has not are deleted.
 class MarkerBuilder {
  public:
-  /// `models` must outlive the builder.
-  MarkerBuilder(const ModelBase& models, int most_triangles);
+  /// `models` must outlive the builder. `up`: where the texts stand from their object, in the header's frame;
+  /// in an optical frame above is -y.
+  MarkerBuilder(const ModelBase& models, int most_triangles,
+                const Eigen::Vector3d& up = -Eigen::Vector3d::UnitY());
   /// `only`: the one name that was looked for; markers of other names stay as they are. "": all.
   visualization_msgs::MarkerArray build(const std_msgs::Header& header,
                                         const std::vector<ObjectEstimate>& objects,
@@ -30,6 +32,7 @@ class MarkerBuilder {
 
   const ModelBase& models_;
   int most_triangles_;
+  Eigen::Vector3d up_;
   std::vector<Key> shown_;
 };
 

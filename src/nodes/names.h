@@ -7,11 +7,33 @@ namespace names {
 constexpr char kImageRaw[] = "image_raw";
 constexpr char kImageRect[] = "image_rect";
 constexpr char kCameraInfo[] = "camera_info";
+constexpr char kRecognizedObjects[] = "recognizer/objects";
 
 constexpr char kObjects[] = "objects";      // ~objects
 constexpr char kMarkers[] = "markers";      // ~markers
 constexpr char kOverlay[] = "overlay";      // ~overlay
 constexpr char kRecognize[] = "recognize";  // ~recognize
+
+constexpr char kBestGrasps[] = "best_grasps";      // ~best_grasps
+constexpr char kGraspPoses[] = "grasp_poses";      // ~grasp_poses
+constexpr char kGraspTargets[] = "grasp_targets";  // ~grasp_targets
+constexpr char kForget[] = "forget";               // ~forget
+
+// The cell: an arm, its gripper and its camera, real or simulated.
+constexpr char kJointStates[] = "joint_states";
+constexpr char kArmCommand[] = "arm_controller/command";
+constexpr char kGripperCommand[] = "gripper/command";
+constexpr char kGripperState[] = "gripper/state";
+constexpr char kCellImage[] = "camera/image_raw";
+constexpr char kCellCameraInfo[] = "camera/camera_info";
+constexpr char kTruth[] = "truth";  // ~truth
+
+// Frames and joints of urdf/puma560.urdf.
+constexpr char kBaseFrame[] = "base_link";
+constexpr char kCameraFrame[] = "camera_optical_frame";
+constexpr const char* kArmJoints[] = {"joint1", "joint2", "joint3", "joint4", "joint5", "joint6"};
+// Each stands at half the opening.
+constexpr const char* kFingerJoints[] = {"finger_left_joint", "finger_right_joint"};
 
 }  // namespace names
 }  // namespace monocular_eye_hand

@@ -1,0 +1,39 @@
+#include <ros/ros.h>
+
+#include <chrono>
+
+#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "nodes/eye_hand_node.h"
+#include "nodes/eye_hand_setup.h"
+#include "nodes/parameter_server.h"
+
+namespace meh = monocular_eye_hand;
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "eye_hand");
+  ros::NodeHandle node;  // keeps the node up
+  try {
+    meh::EyeHandParameters parameters;
+    meh::readOptions(meh::privateParameters({}), &parameters);
+    const meh::Puma560 arm(parameters.arm);
+    const meh::ArmDescription description = meh::loadSameArm(parameters, arm);
+    meh::warnOfOtherRobot(parameters.urdf);
+    const meh::ModelBase models = meh::loadShapes(parameters.objects);
+    const auto start = std::chrono::steady_clock::now();
+    const meh::GraspAdvisor advisor(models, parameters, arm, description.tool0_from_tcp);
+    for (size_t k = 0; k < models.objects.size(); ++k) {
+      const meh::ModelGrasps& grasps = advisor.modelGrasps(int(k));
+      ROS_INFO("%s: %zu ways to hold it%s%s", models.objects[k].model.name.c_str(), grasps.grasps.size(),
+               grasps.reason.empty() ? "" : "; ", grasps.reason.c_str());
+    }
+    const meh::EyeHandNode eye_hand_node(models, parameters, arm, advisor);
+    ROS_INFO("ready; knows %s (grasps sampled in %.2f s)", models.names().c_str(),
+             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    ros::spin();
+    return 0;
+  } catch (const std::exception& e) {
+    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
+  }
+  return 1;
+}

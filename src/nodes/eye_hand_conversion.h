@@ -1,0 +1,33 @@
+#pragma once
+#include <geometry_msgs/Transform.h>
+#include <monocular_eye_hand/GraspTarget.h>
+#include <monocular_eye_hand/LocatedObject.h>
+#include <monocular_eye_hand/RecognizedObjectArray.h>
+#include <ros/time.h>
+
+#include <vector>
+
+#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/grasp/plan_grasps.h"
+
+namespace monocular_eye_hand {
+
+/// `target_from_source` of tf's lookupTransform(target, source).
+Rigid3 fromTransform(const geometry_msgs::Transform& transform);
+
+/// The objects of one image. Throws BadInput naming the object and what is wrong with it: a name that is not
+/// in the model base, a pose, quaternion, covariance or probability that is none.
+std::vector<SeenObject> toSeenObjects(const RecognizedObjectArray& array, const ModelBase& models);
+
+/// The search ended by itself and was for everything: what the message does not hold was not seen.
+bool isComplete(const RecognizedObjectArray& array);
+
+/// `stamp`: of the object's last view.
+LocatedObject toMessage(const MappedObject& object, const ros::Time& stamp, const std::string& base_frame);
+
+/// The way to pick `object` up.
+GraspTarget toMessage(const LocatedObject& object, const GraspCandidate& grasp);
+/// Why there is none.
+GraspTarget noGrasp(const LocatedObject& object, const std::string& reason);
+
+}  // namespace monocular_eye_hand

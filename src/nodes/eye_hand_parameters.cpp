@@ -1,0 +1,45 @@
+#include "nodes/eye_hand_parameters.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+void require(bool holds, const char* field, double value, const char* rule) {
+  if (holds) return;
+  std::ostringstream text;
+  text << field << " = " << value << " must be " << rule;
+  throw BadInput(text.str());
+}
+void requirePositive(const char* field, double value) {
+  require(std::isfinite(value) && value > 0, field, value, "positive");
+}
+void requireGiven(const char* field, const std::string& value, const char* what) {
+  if (value.empty()) throw BadInput(std::string(field) + " is not set: give " + what);
+}
+
+}  // namespace
+
+void EyeHandParameters::check() const {
+  requireGiven("objects", objects, "the path of the model base, e.g. config/objects.yaml of this package");
+  requireGiven("urdf", urdf, "the path of the arm's URDF, e.g. urdf/puma560.urdf of this package");
+  requireGiven("base_frame", base_frame, "the tf frame of the arm's base");
+  requireGiven("tool_frame", tool_frame, "the tf frame of the arm's flange");
+  for (const std::string& joint : joint_names)
+    requireGiven("joint_names", joint, "the six names of the arm's joints");
+  requirePositive("wait", wait);
+  requirePositive("memory", memory);
+  requirePositive("max_joint_gap", max_joint_gap);
+  requirePositive("max_joint_age", max_joint_age);
+  requirePositive("max_tf_distance", max_tf_distance);
+  requirePositive("max_tf_turn", max_tf_turn);
+  require(max_waiting >= 1, "max_waiting", max_waiting, "1 or more");
+  require(std::isfinite(table_height), "table_height", table_height, "finite");
+  require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");
+  requirePositive("diagnostic_period", diagnostic_period);
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "monocular_eye_hand/arm/puma560.h"
+#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/grasp/plan_grasps.h"
+
+namespace monocular_eye_hand {
+
+/// Parameters of the node eye_hand: the keys of config/eye_hand.yaml. Defaults stand here and nowhere else.
+struct EyeHandParameters {
+  std::string objects;                   ///< model base, the recogniser's: path of a YAML; required
+  std::string urdf;                      ///< path of the arm's URDF, as urdf/puma560.urdf; required
+  std::string base_frame = "base_link";  ///< of all results
+  std::string tool_frame = "tool0";      ///< the camera hangs on it
+  /// In sensor_msgs/JointState, in the order of the arm.
+  std::array<std::string, 6> joint_names{{"joint1", "joint2", "joint3", "joint4", "joint5", "joint6"}};
+  bool rectified = false;  ///< the recogniser works on image_rect: P of camera_info holds
+  double wait = 1.0;       ///< longest wait for tf, joint states and camera_info of a view [s, wall clock]
+  double memory = 120;     ///< tf and joint states are kept so long [s]
+  double max_joint_gap = 0.1;      ///< a joint state farther from the view's stamp does not count [s]
+  double max_joint_age = 1.0;      ///< an older joint state is not where the arm is now [s]
+  double max_tf_distance = 0.005;  ///< between tool0 of tf and of the joint states [m] ...
+  double max_tf_turn = 0.01;       ///< ... and [rad]: beyond, one of the two is wrong
+  int max_waiting = 10;            ///< views that wait for tf; when one more comes the oldest is refused
+  bool table = true;               ///< the hand keeps above table_height
+  double table_height = 0;         ///< z of the table's top in base_frame [m]
+  int marker_triangles = 20000;    ///< meshes with more triangles are shown by their sharp edges
+  double diagnostic_period = 1.0;  ///< [s, wall clock]
+  ObjectMapOptions map;
+  Puma560Options arm;
+  GripperOptions gripper;
+  GraspSamplingOptions sampling;
+  GraspPlanOptions grasp;
+
+  void check() const;  ///< throws BadInput naming field, value and rule
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("objects", objects), v("urdf", urdf);
+    v("base_frame", base_frame), v("tool_frame", tool_frame), v("joint_names", joint_names);
+    v("rectified", rectified);
+    v("wait", wait), v("memory", memory);
+    v("max_joint_gap", max_joint_gap), v("max_joint_age", max_joint_age);
+    v("max_tf_distance", max_tf_distance), v("max_tf_turn", max_tf_turn), v("max_waiting", max_waiting);
+    v("table", table), v("table_height", table_height);
+    v("marker_triangles", marker_triangles), v("diagnostic_period", diagnostic_period);
+    v("map", map), v("arm", arm), v("gripper", gripper), v("sampling", sampling), v("grasp", grasp);
+  }
+};
+
+}  // namespace monocular_eye_hand

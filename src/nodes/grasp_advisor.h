@@ -1,0 +1,47 @@
+#pragma once
+#include <monocular_eye_hand/GraspTargetArray.h>
+#include <monocular_eye_hand/GraspTargets.h>
+
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/grasp/plan_grasps.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "nodes/eye_hand_parameters.h"
+#include "nodes/shared_map.h"
+
+namespace monocular_eye_hand {
+
+/// Where the arm stands; `problem` tells why that is not known.
+struct ArmNow {
+  JointVector joints = JointVector::Zero();
+  std::string problem;
+};
+
+/// Grasps of what is known, with everything else known and the table in the way. Const calls are safe from
+/// several threads.
+class GraspAdvisor {
+ public:
+  /// Samples the grasps of all models. All must outlive it.
+  GraspAdvisor(const ModelBase& models, const EyeHandParameters& parameters, const Puma560& arm,
+               const Rigid3& tool0_from_tcp);
+  /// Answers ~grasp_targets.
+  GraspTargets::Response answer(const GraspTargets::Request& request, const KnownObjects& known,
+                                const ArmNow& arm) const;
+  /// The best grasp of each known object that may be grasped, or why it has none.
+  GraspTargetArray best(const KnownObjects& known, const ArmNow& arm) const;
+  /// Of a model, by ModelBase::objects.
+  const ModelGrasps& modelGrasps(int object) const { return grasps_.at(size_t(object)); }
+
+ private:
+  GraspPlan plan(const KnownObjects& known, size_t index, const JointVector& current) const;
+  bool mayGrasp(int object) const;
+
+  const ModelBase& models_;
+  const EyeHandParameters& parameters_;
+  const Puma560& arm_;
+  const Rigid3 tool0_from_tcp_;
+  std::vector<ModelGrasps> grasps_;  // by ModelBase::objects
+};
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,49 @@
+#include "nodes/grasp_arrows.h"
+
+#include <algorithm>
+
+namespace monocular_eye_hand {
+namespace {
+
+using visualization_msgs::Marker;
+
+Marker arrow(const GraspTarget& target) {
+  Marker marker;
+  marker.type = Marker::ARROW;
+  marker.action = Marker::ADD;
+  marker.pose.orientation.w = 1;
+  marker.points = {target.pregrasp.position, target.grasp.position};
+  marker.scale.x = 0.006, marker.scale.y = 0.014, marker.scale.z = 0.02;  // shaft, head, head's length [m]
+  // The better the grasp the greener.
+  marker.color.r = float(1 - target.quality), marker.color.g = float(target.quality);
+  marker.color.a = 1;
+  return marker;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray GraspArrows::build(const GraspTargetArray& grasps) {
+  visualization_msgs::MarkerArray array;
+  std::vector<std::pair<std::string, int>> shown;
+  const auto add = [&](Marker marker, const std::pair<std::string, int>& key) {
+    marker.header = grasps.header;
+    marker.ns = key.first;
+    marker.id = key.second;
+    array.markers.push_back(marker);
+  };
+  for (const GraspTarget& target : grasps.targets) {
+    if (!target.feasible) continue;
+    shown.emplace_back(target.name + "/grasp", target.instance);
+    add(arrow(target), shown.back());
+  }
+  for (const auto& key : shown_) {
+    if (std::find(shown.begin(), shown.end(), key) != shown.end()) continue;
+    Marker deletion;
+    deletion.action = Marker::DELETE;
+    add(deletion, key);
+  }
+  shown_ = std::move(shown);
+  return array;
+}
+
+}  // namespace monocular_eye_hand

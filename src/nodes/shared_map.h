@@ -1,0 +1,48 @@
+#pragma once
+#include <monocular_eye_hand/LocatedObjectArray.h>
+#include <ros/time.h>
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "monocular_eye_hand/eye_hand/object_map.h"
+
+namespace monocular_eye_hand {
+
+/// What is known after some view: the objects as the core and as messages tell them, in the same order.
+struct KnownObjects {
+  std::vector<MappedObject> objects;
+  std::vector<LocatedObject> messages;
+  ros::Time stamp;      ///< of the last view that was used; zero: none
+  std::string refused;  ///< why the last view was not used; "": it was
+};
+
+/// The object map, safe from several threads, with the stamps as ROS spells them.
+class SharedMap {
+ public:
+  /// `models` must outlive it.
+  SharedMap(const ModelBase& models, const ObjectMapOptions& options, const std::string& base_frame);
+  /// Throws BadInput as ObjectMap::add.
+  ViewReport add(const ObjectView& view, const ros::Time& stamp);
+  /// A view that never came to the map.
+  void refuse(const std::string& reason);
+  KnownObjects known() const;
+  /// Takes objects out and returns how many: all of a name with `instance` -1; with `object` -1 everything,
+  /// numbers and the stamp that the next view must be newer than, too.
+  int forget(int object, int instance);
+  /// Time starts again.
+  void clear();
+
+ private:
+  const std::string base_frame_;
+  mutable std::mutex mutex_;
+  ObjectMap map_;
+  std::map<std::pair<int, int>, ros::Time> stamps_;  // of object and number: the last view
+  ros::Time stamp_;
+  std::string refused_;
+};
+
+}  // namespace monocular_eye_hand
