@@ -130,6 +130,10 @@ nlohmann::json asJson(const KnownObject& object) {
   j["circles"] = fullCircles(m);
   j["arcs"] = m.circles.size() - fullCircles(m);
   j["equal_poses"] = m.symmetries.discrete.size();
+  for (const Rigid3& s : m.symmetries.discrete)
+    j["equal_pose_transforms"].push_back(
+        {{"rotation", {list(s.rotation.row(0)), list(s.rotation.row(1)), list(s.rotation.row(2))}},
+         {"translation_m", list(s.translation)}});
   j["sphere"] = m.symmetries.sphere;
   if (m.symmetries.axis) {
     j["axis"] = {{"direction", list(m.symmetries.axis->direction)},
