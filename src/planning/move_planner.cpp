@@ -8,9 +8,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kSearches = 4;            // that may use up their share of the budget
-constexpr double kThere = 1e-6;         // no motion is needed for less [rad]
-constexpr double kNearCorner = 0.002;   // straight lines stay straight [rad]
+constexpr int kSearches = 4;     // that may use up their share of the budget
+constexpr double kThere = 1e-6;  // no motion is needed for less [rad]
 
 class Mover {
  public:
@@ -19,8 +18,7 @@ class Mover {
       : arm_(arm), world_(world), request_(request), options_(options) {}
 
   MovePlan run() {
-    const Departure departure =
-        planDeparture(arm_, world_, request_.start, request_.touching, options_);
+    const Departure departure = planDeparture(arm_, world_, request_.start, request_.touching, options_);
     if (!departure.possible) return tell(MoveOutcome::kStartInCollision, departure.reason), plan_;
     world_.setPadding(departure.padding);
     world_.setCarriedPadding(departure.padding);
@@ -29,8 +27,7 @@ class Mover {
       if (reach({request_.joints[i]}, int(i), "the joint angles")) return plan_;
     for (size_t i = 0; request_.joints.empty() && i < request_.base_from_tcp.size(); ++i) {
       const std::string what = "pose " + std::to_string(i);
-      const auto goals =
-          solutionsByTime(arm_, request_.base_from_tcp[i], departure.end, options_.candidates);
+      const auto goals = solutionsByTime(arm_, request_.base_from_tcp[i], departure.end, options_.candidates);
       if (goals.empty()) tell(MoveOutcome::kUnreachable, what + ": out of reach or joint limits");
       if (!goals.empty() && reach(goals, int(i), what)) return plan_;
     }
@@ -83,22 +80,6 @@ class Mover {
   MovePlan plan_;
   int failed_searches_ = 0;
 };
-
-/// The pick that ended where the object is held now.
-PickRequest pickBefore(const ToolArm& arm, const CollisionWorld& world, const PlaceRequest& request,
-                       const Rigid3& base_from_tcp) {
-  (void)arm;
-  PickRequest pick;
-  pick.start = request.start;
-  pick.target.object = world.carried();
-  pick.target.base_from_tcp_before = pick.target.base_from_tcp_grasp = pick.target.base_from_tcp_after =
-      base_from_tcp;
-  pick.target.open_width = request.open_width;
-  pick.target.grip_width = request.grip_width;
-  pick.drops = request.drops;
-  pick.supports = request.supports;
-  return pick;
-}
 
 }  // namespace
 

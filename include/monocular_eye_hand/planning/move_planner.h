@@ -38,9 +38,10 @@ std::string name(MoveOutcome outcome);
 
 struct MovePlan {
   MoveOutcome outcome = MoveOutcome::kUnreachable;
-  std::string reason;               ///< what stands in the way, by name; empty when planned
-  std::vector<Trajectory> motions;  ///< each beginning where the last one ended; none when it is there already
-  int goal = -1;                    ///< MoveRequest::base_from_tcp or joints
+  std::string reason;  ///< what stands in the way, by name; empty when planned
+  std::vector<Trajectory>
+      motions;    ///< each beginning where the last one ended; none when it is there already
+  int goal = -1;  ///< MoveRequest::base_from_tcp or joints
   bool planned() const { return outcome == MoveOutcome::kPlanned; }
 };
 
@@ -52,14 +53,15 @@ MovePlan planMove(const ToolArm& arm, const CollisionWorld& world, const MoveReq
 
 struct PlaceRequest {
   JointVector start = JointVector::Zero();
-  std::vector<DropTarget> drops;      ///< the first that works is taken
-  std::vector<std::string> supports;  ///< world objects that the carried one may touch at start and end
+  std::string object;                     ///< a world object; where it stands in the world does not matter
+  Rigid3 tcp_from_object;                 ///< how it is held
   double open_width = 0, grip_width = 0;  ///< between the finger pads, after and before letting go [m]
+  std::vector<DropTarget> drops;          ///< the first that works is taken
+  std::vector<std::string> supports;      ///< world objects that the held one may touch at start and end
 };
 
-/// Plans to put down what `world` says is carried: motions kCarry, kLower, kRetreat, before them a second
-/// kLift when the arm has to leave something first. Throws BadInput when nothing is carried, and as planPick
-/// does.
+/// Plans to put down what is held: the last three motions of a pick, kCarry, kLower and kRetreat; before them
+/// a kLift when the arm has to leave something first. Throws BadInput as planPick() does.
 PickPlan planPlace(const ToolArm& arm, const CollisionWorld& world, const PlaceRequest& request,
                    const PlanningOptions& options = {});
 

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/planning/move_planner.h"
+#include "scene.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+/// Holding the first bridge `lift` above where it stood.
+PlaceRequest placeRequest(double lift) {
+  const PickRequest pick = bridgeRequest();
+  PlaceRequest request;
+  Rigid3 tcp = pick.target.base_from_tcp_grasp;
+  request.object = pick.target.object;
+  request.tcp_from_object = tcp.inverse() * demoWorld().pose(request.object);
+  tcp.translation.z() += lift;
+  ArmSolutions solutions;
+  toolArm().inverse(tcp, pick.start, &solutions);
+  for (const ArmSolution& s : solutions)
+    if (s.branch == toolArm().arm.branch(pick.start)) request.start = s.joints;
+  request.open_width = pick.target.open_width;
+  request.grip_width = pick.target.grip_width;
+  request.drops = pick.drops;
+  request.supports = pick.supports;
+  return request;
+}
+
+TEST(Place, FromTheLift) {
+  const CollisionWorld world = demoWorld();
+  const PlaceRequest request = placeRequest(0.1);
+  const PickPlan plan = planPlace(toolArm(), world, request);
+  ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  ASSERT_EQ(plan.motions.size(), 3u);
+  EXPECT_EQ(plan.motions[0].stage, PickStage::kCarry);
+  EXPECT_EQ(plan.motions[2].stage, PickStage::kRetreat);
+  EXPECT_EQ(plan.motions[0].trajectory.points.front().position, request.start);
+  CollisionWorld held = world;
+  held.setGripperWidth(request.grip_width);
+  held.attach(request.object, request.tcp_from_object);
+  EXPECT_EQ(firstCollision(held, plan.motions[0].trajectory, PathOptions().resolution / 10).second, "");
+  const Rigid3 end = toolArm().baseFromTcp(plan.motions[1].trajectory.points.back().position);
+  EXPECT_LT((end.translation - request.drops[size_t(plan.drop)].base_from_tcp.translation).norm(), 1e-9);
+}
+
+TEST(Place, LiftsFirstWhatStandsOnTheTable) {
+  const CollisionWorld world = demoWorld();
+  const PlaceRequest request = placeRequest(0);  // stopped before the lift
+  const PickPlan plan = planPlace(toolArm(), world, request);
+  ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  ASSERT_EQ(plan.motions.size(), 4u);
+  EXPECT_EQ(plan.motions[0].stage, PickStage::kLift);
+  EXPECT_LT(
+      (plan.motions[0].trajectory.points.back().position - plan.motions[1].trajectory.points.front().position)
+          .norm(),
+      1e-9);
+  PlaceRequest unsupported = request;
+  unsupported.supports.clear();
+  CollisionWorld sunk = world;
+  sunk.move("table", at(0.60, -0.15, kTableTop - 0.02 + 1e-3));
+  EXPECT_EQ(planPlace(toolArm(), sunk, unsupported).outcome, PickOutcome::kStartInCollision);
+}
+
+TEST(Place, SaysWhatIsInTheWay) {
+  CollisionWorld full = demoWorld();
+  full.addBox("crate", {0.3, 0.3, 0.2}, at(0.5, -0.48, kTableTop + 0.1));
+  const PickPlan plan = planPlace(toolArm(), full, placeRequest(0.1));
+  EXPECT_TRUE(plan.outcome == PickOutcome::kDropInCollision || plan.outcome == PickOutcome::kLoweringBlocked);
+  EXPECT_NE(plan.reason.find("crate"), std::string::npos) << plan.reason;
+  PlaceRequest far = placeRequest(0.1);
+  far.drops = {{down(1.5, 0, 0.5), down(1.5, 0, 0.4)}};
+  EXPECT_EQ(planPlace(toolArm(), demoWorld(), far).outcome, PickOutcome::kDropUnreachable);
+}
+
+TEST(Place, RefusesBadInput) {
+  const auto refused = [](auto change) {
+    PlaceRequest request = placeRequest(0.1);
+    change(request);
+    EXPECT_THROW(planPlace(toolArm(), demoWorld(), request), BadInput);
+  };
+  refused([](PlaceRequest& r) { r.object = "nothing"; });
+  refused([](PlaceRequest& r) { r.drops.clear(); });
+  refused([](PlaceRequest& r) { r.supports = {"cloud"}; });
+  refused([](PlaceRequest& r) { r.start[2] = NAN; });
+  refused([](PlaceRequest& r) { r.tcp_from_object.translation.x() = NAN; });
+  refused([](PlaceRequest& r) { r.grip_width = -1; });
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
