@@ -65,7 +65,7 @@ Response GraspAdvisor::answer(const GraspTargets::Request& request, const KnownO
     return reply(Response::UNKNOWN_NAME,
                  "no object is named '" + request.name + "'; known: " + models_.names());
   if (grasps_[size_t(wanted)].grasps.empty())  // wherever it is
-    return reply(Response::NO_GRASP, request.name + ": " + grasps_[size_t(wanted)].reason);
+    return reply(Response::NO_GRASP, grasps_[size_t(wanted)].reason);
   if (known.stamp.isZero() || !arm.problem.empty())
     return reply(Response::NOT_READY, notReadyText(known, arm));
   bool seen = false, too_uncertain = false;
