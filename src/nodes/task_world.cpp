@@ -246,7 +246,7 @@ TaskGrip RosTaskWorld::grip() {
 TaskPick RosTaskWorld::carry(const MappedObject& object, int place) {
   PlaceGoal goal;
   goal.place = place;
-  const TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
+  TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
   if (placed.outcome != TaskPickOutcome::kDone) return placed;
   place_ = place + 1;
   ForgetObject call;

@@ -199,7 +199,7 @@ int EdgeRaster::indexAt(double u, double v) const {
 int EdgeRaster::find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, double range) const {
   const float nx = float(normal.x()), ny = float(normal.y());
   const float x0 = float(uv.x()) - u0_ + 0.5f, y0 = float(uv.y()) - v0_ + 0.5f;
-  const int steps = int(range + 0.5);
+  const int steps = int(std::lround(range));
   int best = -1, last = -1;
   float best_score = 0;
   const float inverse_range = 1.0f / float(range + 1.0);

@@ -46,8 +46,8 @@ int flatEvidence(const Anchor& anchor, const Ruler& ruler, const EvidenceMap& ma
     if (u >= 0 && v >= 0) {
       const int x = int(u), y = int(v);
       if (x < w && y < h) {
-        value = half[plane * bins[anchor.angle[i] + ruler.turn] + size_t(y) * w + x];
-        if (value == kOutside) value = kOutsideValue;
+        const int8_t seen = half[plane * bins[anchor.angle[i] + ruler.turn] + size_t(y) * w + x];
+        value = seen == kOutside ? kOutsideValue : int(seen);  // NOLINT(bugprone-signed-char-misuse)
       }
     }
     sum += value;

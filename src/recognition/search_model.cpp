@@ -29,8 +29,9 @@ Eigen::Vector3d cellDirection(int cell) {
   const int axis = face / 2;
   Eigen::Vector3d d;
   d[axis] = face % 2 ? -1 : 1;
-  d[(axis + 1) % 3] = (rest / kLookupSide + 0.5) / kLookupSide * 2 - 1;
-  d[(axis + 2) % 3] = (rest % kLookupSide + 0.5) / kLookupSide * 2 - 1;
+  const int row = rest / kLookupSide, column = rest % kLookupSide;
+  d[(axis + 1) % 3] = (row + 0.5) / kLookupSide * 2 - 1;
+  d[(axis + 2) % 3] = (column + 0.5) / kLookupSide * 2 - 1;
   return d.normalized();
 }
 

@@ -36,7 +36,8 @@ inline int orientationBin(float du, float dv) {
   float a = t * (0.9724f - 0.1919f * t * t);     // 0 .. pi/4
   if (steep) a = 1.5707963f - a;                 // 0 .. pi/2
   if ((du < 0) != (dv < 0)) a = 3.1415926f - a;  // 0 .. pi
-  const int bin = int(a * (kOrientationBins / 3.1415926f) + 0.5f);
+  // a >= 0: truncation rounds it; std::lround would cost a call
+  const int bin = int(a * (kOrientationBins / 3.1415926f) + 0.5f);  // NOLINT(bugprone-incorrect-roundings)
   return bin >= kOrientationBins ? bin - kOrientationBins : bin;
 }
 
