@@ -70,9 +70,11 @@ def stamped(parent, child, matrix, stamp):
 
 
 class Arm:
-    """joint_states and tf of base_link <- tool0, twenty times a second; `joints` may be set at any time."""
+    """joint_states and tf of base_link <- tool0, twenty times a second; `joints` may be set at any time. `now`: the clock
+    of the stamps."""
 
-    def __init__(self):
+    def __init__(self, now=rospy.Time.now):
+        self.now = now
         self.joints = ABOVE
         self.offset = numpy.zeros(3)  # of tf alone [m]
         self.joint_states = self.tf = True
@@ -83,11 +85,11 @@ class Arm:
         self.timer = rospy.Timer(rospy.Duration(0.05), lambda _: self.tick())
 
     def hang_camera(self):
-        self.static.sendTransform(stamped("tool0", CAMERA, TOOL0_FROM_CAMERA, rospy.Time.now()))
+        self.static.sendTransform(stamped("tool0", CAMERA, TOOL0_FROM_CAMERA, self.now()))
 
     def tick(self):
         with self.lock:
-            now = rospy.Time.now()
+            now = self.now()
             if self.joint_states:
                 message = JointState(name=["finger_left_joint"] + JOINTS, position=[0.02] + list(self.joints))
                 message.header.stamp = now
@@ -100,7 +102,7 @@ class Arm:
     def stamp(self):
         """A time with joint states and tf before it and, in a moment, after it."""
         self.tick()
-        stamp = rospy.Time.now()
+        stamp = self.now()
         self.tick()
         return stamp
 
