@@ -71,6 +71,7 @@ class Bench:
     def __init__(self, programs, out):
         self.programs = pathlib.Path(programs)
         self.out = pathlib.Path(out)
+        self.root = pathlib.Path(__file__).resolve().parents[1]
 
     def program(self, name):
         path = self.programs / name
