@@ -1,0 +1,39 @@
+#include <ros/ros.h>
+
+#include <atomic>
+#include <csignal>
+
+#include "nodes/parameter_server.h"
+#include "nodes/planner_node.h"
+
+namespace meh = monocular_eye_hand;
+
+namespace {
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+void onSignal(int) { interrupted = true; }
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The node's own handlers: an arm that moves is stopped before the topics go away.
+  ros::init(argc, argv, "planner", ros::init_options::NoSigintHandler);
+  ros::NodeHandle node;  // keeps the node up
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  try {
+    meh::PlannerParameters parameters;
+    // actionlib keeps its settings below the names of the actions.
+    meh::readOptions(meh::privateParameters({"pick", "place", "move"}), &parameters);
+    ros::AsyncSpinner spinner(2);
+    meh::PlannerNode planner(parameters);
+    spinner.start();
+    ROS_INFO("ready; %zu places in the drop zone", parameters.drop_zone.places().size());
+    while (ros::ok() && !interrupted) ros::WallDuration(0.05).sleep();
+    planner.stop();
+    ros::shutdown();
+    return 0;
+  } catch (const std::exception& e) {
+    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
+  }
+  return 1;
+}

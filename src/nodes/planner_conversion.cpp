@@ -1,0 +1,116 @@
+#include "nodes/planner_conversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "nodes/conversion.h"
+#include "nodes/names.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kMarkerStep = 0.02;    // between points of the line [s]
+constexpr double kMarkerWidth = 0.003;  // of the line [m]
+
+double widthOf(double value, const char* field, double most) {
+  if (value >= 0 && value <= most + 1e-9) return std::min(value, most);
+  throw BadInput(std::string("target.") + field + " = " + std::to_string(value) + " must be 0 to " +
+                 std::to_string(most) + " m, what the gripper can open");
+}
+
+}  // namespace
+
+bool armState(const sensor_msgs::JointState& message, ArmState* state) {
+  ArmState result;
+  result.stamp = message.header.stamp.toSec();
+  result.has_speeds = message.velocity.size() == message.name.size();
+  for (int i = 0; i < 6; ++i) {
+    const auto found = std::find(message.name.begin(), message.name.end(), names::kArmJoints[i]);
+    const size_t at = size_t(found - message.name.begin());
+    if (at >= message.position.size()) return false;
+    result.joints[i] = message.position[at];
+    if (result.has_speeds) result.speeds[i] = message.velocity[at];
+  }
+  if (!result.joints.allFinite() || !result.speeds.allFinite()) return false;
+  *state = result;
+  return true;
+}
+
+trajectory_msgs::JointTrajectory toMessage(const Trajectory& trajectory) {
+  trajectory_msgs::JointTrajectory message;
+  message.joint_names.assign(std::begin(names::kArmJoints), std::end(names::kArmJoints));
+  for (size_t k = 1; k < trajectory.points.size(); ++k) {
+    const TrajectoryState& state = trajectory.points[k];
+    trajectory_msgs::JointTrajectoryPoint point;
+    point.time_from_start = ros::Duration(state.time_s);
+    point.positions.assign(state.position.data(), state.position.data() + 6);
+    point.velocities.assign(state.velocity.data(), state.velocity.data() + 6);
+    message.points.push_back(point);
+  }
+  return message;
+}
+
+Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what) {
+  const auto& q = pose.orientation;
+  const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  const double sum = pose.position.x + pose.position.y + pose.position.z + length;
+  if (!std::isfinite(sum)) throw BadInput(what + " is not finite");
+  if (std::abs(length - 1) > 0.01)
+    throw BadInput(what + ": its quaternion has length " + std::to_string(length) + " and must have 1");
+  return fromPose(pose);
+}
+
+PickTarget pickTargetOf(const GraspTarget& target, const std::string& object, double gripper_width_max) {
+  PickTarget pick;
+  pick.object = object;
+  pick.base_from_tcp_before = poseOf(target.pregrasp, "target.pregrasp");
+  pick.base_from_tcp_grasp = poseOf(target.grasp, "target.grasp");
+  pick.base_from_tcp_after = poseOf(target.retreat, "target.retreat");
+  pick.open_width = widthOf(target.opening, "opening", gripper_width_max);
+  pick.grip_width = widthOf(target.width, "width", gripper_width_max);
+  if (pick.open_width < pick.grip_width)
+    throw BadInput("target.opening = " + std::to_string(target.opening) +
+                   " must not be less than width = " + std::to_string(target.width) + " m");
+  return pick;
+}
+
+std::vector<Rigid3> tcpPosesOf(const MoveGoal& goal, const ArmDescription& arm) {
+  Rigid3 link_from_tcp;
+  if (goal.link == "tool0")
+    link_from_tcp = arm.tool0_from_tcp;
+  else if (goal.link == names::kCameraFrame)
+    link_from_tcp = arm.tool0_from_camera.inverse() * arm.tool0_from_tcp;
+  else if (goal.link != "gripper_tcp")
+    throw BadInput("there is no link '" + goal.link +
+                   "' to move: say tool0, gripper_tcp or camera_optical_frame");
+  if (goal.poses.empty()) throw BadInput("neither poses nor joints: say where to");
+  std::vector<Rigid3> poses;
+  for (size_t i = 0; i < goal.poses.size(); ++i)
+    poses.push_back(poseOf(goal.poses[i], "poses[" + std::to_string(i) + "]") * link_from_tcp);
+  return poses;
+}
+
+visualization_msgs::Marker pathMarker(const std::string& frame, const ToolArm& arm,
+                                      const std::vector<Trajectory>& motions) {
+  visualization_msgs::Marker marker;
+  marker.header.frame_id = frame;
+  marker.header.stamp = ros::Time::now();
+  marker.ns = "path";
+  marker.type = visualization_msgs::Marker::LINE_STRIP;
+  marker.action = visualization_msgs::Marker::ADD;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = kMarkerWidth;
+  marker.color.r = 0.1f, marker.color.g = 0.8f, marker.color.b = 0.9f, marker.color.a = 1;
+  for (const Trajectory& motion : motions)
+    for (double t = 0; t < motion.duration() + kMarkerStep; t += kMarkerStep) {
+      const Eigen::Vector3d p =
+          arm.baseFromTcp(motion.sample(std::min(t, motion.duration())).position).translation;
+      geometry_msgs::Point point;
+      point.x = p.x(), point.y = p.y(), point.z = p.z();
+      marker.points.push_back(point);
+    }
+  return marker;
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,43 @@
+#pragma once
+#include <geometry_msgs/Pose.h>
+#include <monocular_eye_hand/GraspTarget.h>
+#include <monocular_eye_hand/MoveAction.h>
+#include <sensor_msgs/JointState.h>
+#include <trajectory_msgs/JointTrajectory.h>
+#include <visualization_msgs/Marker.h>
+
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/planning/pick_planner.h"
+
+namespace monocular_eye_hand {
+
+/// What a joint state says of joint1 to joint6; false when one of them is not in it or not finite.
+/// `speeds`: has_speeds tells whether they are given.
+struct ArmState {
+  double stamp = 0;  ///< [s]
+  JointVector joints = JointVector::Zero(), speeds = JointVector::Zero();
+  bool has_speeds = false;
+};
+bool armState(const sensor_msgs::JointState& message, ArmState* state);
+
+/// For a joint_trajectory_controller, to start at once; the first point, where the arm is, is left out.
+trajectory_msgs::JointTrajectory toMessage(const Trajectory& trajectory);
+
+/// Throws BadInput naming `what` when the pose is not finite or its quaternion has not length 1 (to 1 %).
+Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what);
+
+/// The grasp of a target whose object is called `object` in the world. Throws BadInput naming what is broken.
+PickTarget pickTargetOf(const GraspTarget& target, const std::string& object, double gripper_width_max);
+
+/// Poses of gripper_tcp that put `link` (tool0, gripper_tcp or camera_optical_frame) where a goal wants it.
+/// Throws BadInput on another link, no pose or a broken one.
+std::vector<Rigid3> tcpPosesOf(const MoveGoal& goal, const ArmDescription& arm);
+
+/// The way of gripper_tcp along trajectories, as a line strip.
+visualization_msgs::Marker pathMarker(const std::string& frame, const ToolArm& arm,
+                                      const std::vector<Trajectory>& motions);
+
+}  // namespace monocular_eye_hand

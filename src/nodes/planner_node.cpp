@@ -1,0 +1,207 @@
+#include "nodes/planner_node.h"
+
+#include <visualization_msgs/Marker.h>
+
+#include <algorithm>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "nodes/conversion.h"
+#include "nodes/names.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+// One WorkResult serves all three actions.
+constexpr bool same(int a, int b, int c) { return a == b && b == c; }
+static_assert(same(PickResult::DONE, PlaceResult::DONE, MoveResult::DONE));
+static_assert(same(PickResult::UNREACHABLE, PlaceResult::UNREACHABLE, MoveResult::UNREACHABLE));
+static_assert(same(PickResult::IN_COLLISION, PlaceResult::IN_COLLISION, MoveResult::IN_COLLISION));
+static_assert(same(PickResult::CANCELLED, PlaceResult::CANCELLED, MoveResult::CANCELLED));
+static_assert(same(PickResult::FAULT, PlaceResult::FAULT, MoveResult::FAULT));
+
+template <class Result>
+Result toMessage(const WorkResult& work) {
+  Result result;
+  result.outcome = work.outcome;
+  result.reason = work.reason;
+  result.planning_time = work.planning_time;
+  result.motion_time = work.motion_time;
+  if constexpr (std::is_same_v<Result, MoveResult>) result.reached = work.reached;
+  return result;
+}
+
+WorkResult fault(const std::string& reason) {
+  WorkResult result;
+  result.reason = reason;
+  return result;
+}
+
+}  // namespace
+
+PlannerNode::PlannerNode(const PlannerParameters& parameters)
+    : parameters_(parameters),
+      work_(parameters),
+      private_node_("~"),
+      pick_(
+          private_node_, names::kPick,
+          [this](const PickGoalConstPtr& goal) {
+            run<PickAction, PickResult, PickFeedback>(
+                &pick_, names::kPick, [&](const WorkWatch& watch) { return work_.pick(*goal, watch); });
+          },
+          false),
+      place_(
+          private_node_, names::kPlace,
+          [this](const PlaceGoalConstPtr& goal) {
+            run<PlaceAction, PlaceResult, PlaceFeedback>(
+                &place_, names::kPlace, [&](const WorkWatch& watch) { return work_.place(*goal, watch); });
+          },
+          false),
+      move_(
+          private_node_, names::kMove,
+          [this](const MoveGoalConstPtr& goal) {
+            run<MoveAction, MoveResult, MoveFeedback>(
+                &move_, names::kMove, [&](const WorkWatch& watch) { return work_.move(*goal, watch); });
+          },
+          false) {
+  path_ = private_node_.advertise<visualization_msgs::Marker>(names::kPath, 1, true);
+  objects_subscriber_ = node_.subscribe(names::kLocatedObjects, 10, &PlannerNode::onObjects, this);
+  updater_.setHardwareID("none");
+  updater_.add("robot", this, &PlannerNode::robotStatus);
+  updater_.add("planning", this, &PlannerNode::planningStatus);
+  timer_ = node_.createWallTimer(ros::WallDuration(parameters.diagnostic_period),
+                                 [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  pick_.start();
+  place_.start();
+  move_.start();
+}
+
+PlannerNode::~PlannerNode() { stop(); }
+
+void PlannerNode::stop() {
+  stopping_ = true;
+  const std::lock_guard<std::mutex> lock(busy_);
+}
+
+void PlannerNode::onObjects(const LocatedObjectArrayConstPtr& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (message->header.frame_id != parameters_.base_frame) {
+    ROS_ERROR_THROTTLE(10, "%s is in the frame '%s' and must be in '%s': left out",
+                       objects_subscriber_.getTopic().c_str(), message->header.frame_id.c_str(),
+                       parameters_.base_frame.c_str());
+    return;
+  }
+  objects_ = message;
+}
+
+/// What eye-hand knows at this moment is what the action plans with.
+void PlannerNode::takeObjects() {
+  LocatedObjectArrayConstPtr array;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    array = objects_;
+  }
+  if (!array) return;
+  std::vector<SceneObject> objects;
+  for (const LocatedObject& object : array->objects)
+    objects.push_back({object.name, object.instance, fromPose(object.pose.pose)});
+  for (const std::string& label : work_.see(objects))
+    ROS_WARN("%s is not in the model base, or its pose is broken: it is no obstacle", label.c_str());
+}
+
+void PlannerNode::show(const std::vector<Trajectory>& motions) {
+  path_.publish(pathMarker(parameters_.base_frame, work_.arm(), motions));
+}
+
+std::string PlannerNode::running() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return running_;
+}
+void PlannerNode::setRunning(const std::string& action) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  running_ = action;
+}
+
+WorkResult PlannerNode::guarded(const WorkWatch& watch,
+                                const std::function<WorkResult(const WorkWatch&)>& work) {
+  try {
+    takeObjects();
+    return work(watch);
+  } catch (const std::exception& e) {  // BadInput: silent topics, broken numbers; nothing moves then
+    return fault(e.what());
+  }
+}
+
+template <class Action, class Result, class Feedback>
+void PlannerNode::run(Server<Action>* server, const char* action,
+                      const std::function<WorkResult(const WorkWatch&)>& work) {
+  WorkResult done;
+  {
+    const std::unique_lock<std::mutex> lock(busy_, std::try_to_lock);
+    if (stopping_) {
+      done = fault("the planner is going down; nothing moved");
+    } else if (!lock.owns_lock()) {
+      done = fault("busy with " + running() + ": one action at a time; nothing moved");
+    } else {
+      setRunning(action);
+      WorkWatch watch;
+      watch.cancelled = [this, server] { return stopping_ || server->isPreemptRequested(); };
+      watch.say = [server](const std::string& stage, double progress) {
+        Feedback feedback;
+        feedback.stage = stage;
+        feedback.progress = progress;
+        server->publishFeedback(feedback);
+      };
+      watch.show = [this](const std::vector<Trajectory>& motions) { show(motions); };
+      done = guarded(watch, work);
+      remember(action, done);
+    }
+  }  // free for the next goal before this one's result is known
+  const Result result = toMessage<Result>(done);
+  if (done.outcome == PickResult::DONE) {
+    server->setSucceeded(result);
+    return;
+  }
+  ROS_WARN("%s: %s", action, done.reason.c_str());
+  if (done.outcome == PickResult::CANCELLED)
+    server->setPreempted(result, done.reason);
+  else
+    server->setAborted(result, done.reason);
+}
+
+void PlannerNode::remember(const char* action, const WorkResult& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  running_.clear();
+  held_ = work_.held();
+  known_ = work_.scene().seen().size();
+  remembered_ = work_.scene().remembered();
+  last_ = std::string(action) + ": " + (result.outcome == PickResult::DONE ? "done" : result.reason);
+  ++(result.outcome == PickResult::DONE ? done_ : not_done_);
+  planning_time_ = result.planning_time;
+  longest_planning_ = std::max(longest_planning_, planning_time_);
+}
+
+void PlannerNode::robotStatus(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  const std::string joints = work_.driver().jointSilence(), gripper = work_.driver().gripperSilence();
+  if (!joints.empty())
+    status.summary(DiagnosticStatus::ERROR, joints);
+  else if (!gripper.empty())
+    status.summary(DiagnosticStatus::ERROR, gripper);
+  else
+    status.summary(DiagnosticStatus::OK, "arm and gripper tell where they are");
+}
+
+void PlannerNode::planningStatus(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::string idle = last_.empty() ? "no goal yet" : "last " + last_;
+  status.summary(diagnostic_msgs::DiagnosticStatus::OK, running_.empty() ? idle : running_ + " runs");
+  status.add("goals done", done_);
+  status.add("goals not done", not_done_);
+  status.add("held", held_);
+  status.add("objects known", known_);
+  status.add("objects put down and remembered", remembered_);
+  status.add("planning time, last [s]", planning_time_);
+  status.add("planning time, longest [s]", longest_planning_);
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,67 @@
+#pragma once
+#include <actionlib/server/simple_action_server.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <monocular_eye_hand/LocatedObjectArray.h>
+#include <ros/ros.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "nodes/planner_parameters.h"
+#include "nodes/planner_work.h"
+
+namespace monocular_eye_hand {
+
+/// The node planner: the actions ~pick, ~place and ~move, one at a time. A new goal of the running action
+/// stops it and is next; a goal of another one is refused. Callbacks must run beside the actions: spin with
+/// more than one thread.
+class PlannerNode {
+ public:
+  /// Throws BadInput as PlannerWork does.
+  explicit PlannerNode(const PlannerParameters& parameters);
+  ~PlannerNode();
+  /// Stops the arm if it moves, waits until it stands, and takes no goal any more.
+  void stop();
+
+ private:
+  template <class Action>
+  using Server = actionlib::SimpleActionServer<Action>;
+
+  template <class Action, class Result, class Feedback>
+  void run(Server<Action>* server, const char* action,
+           const std::function<WorkResult(const WorkWatch&)>& work);
+  WorkResult guarded(const WorkWatch& watch, const std::function<WorkResult(const WorkWatch&)>& work);
+  void onObjects(const LocatedObjectArrayConstPtr& message);
+  void takeObjects();
+  void show(const std::vector<Trajectory>& motions);
+  std::string running();
+  void setRunning(const std::string& action);
+  void remember(const char* action, const WorkResult& result);
+  void robotStatus(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void planningStatus(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  const PlannerParameters parameters_;
+  PlannerWork work_;
+  std::atomic<bool> stopping_{false};
+  std::mutex busy_;  // held by the action that runs
+
+  std::mutex mutex_;  // of what follows
+  LocatedObjectArrayConstPtr objects_;
+  std::string running_, held_, last_;
+  double planning_time_ = 0, longest_planning_ = 0;
+  size_t done_ = 0, not_done_ = 0, known_ = 0, remembered_ = 0;
+
+  ros::NodeHandle node_, private_node_;
+  ros::Publisher path_;
+  ros::Subscriber objects_subscriber_;
+  Server<PickAction> pick_;
+  Server<PlaceAction> place_;
+  Server<MoveAction> move_;
+  diagnostic_updater::Updater updater_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "nodes/planner_work.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+uint8_t outcomeOf(PickOutcome outcome) {
+  switch (outcome) {
+    case PickOutcome::kPlanned:
+      return PickResult::DONE;
+    case PickOutcome::kStartInCollision:
+    case PickOutcome::kGraspInCollision:
+    case PickOutcome::kApproachBlocked:
+    case PickOutcome::kLiftBlocked:
+    case PickOutcome::kDropInCollision:
+    case PickOutcome::kLoweringBlocked:
+      return PickResult::IN_COLLISION;
+    case PickOutcome::kGraspUnreachable:
+    case PickOutcome::kNoPathToGrasp:
+    case PickOutcome::kDropUnreachable:
+    case PickOutcome::kNoPathToDrop:
+      break;
+  }
+  return PickResult::UNREACHABLE;
+}
+
+double secondsSince(const ros::WallTime& begin) { return (ros::WallTime::now() - begin).toSec(); }
+
+std::vector<Trajectory> trajectoriesOf(const std::vector<PickMotion>& motions) {
+  std::vector<Trajectory> trajectories;
+  for (const PickMotion& motion : motions) trajectories.push_back(motion.trajectory);
+  return trajectories;
+}
+
+constexpr double kRecheck = 0.005;  // step of a kept plan that is tested again [rad]
+
+}  // namespace
+
+SceneObject PlannerWork::checked(const PickGoal& goal, PickTarget* target) const {
+  if (goal.target.header.frame_id != parameters_.base_frame)
+    throw BadInput("target.header.frame_id is '" + goal.target.header.frame_id + "' and must be '" +
+                   parameters_.base_frame + "', the arm's base");
+  if (!scene_.knows(goal.target.name))
+    throw BadInput("no object is named '" + goal.target.name + "'; known: " + scene_.names());
+  SceneObject object{goal.target.name, goal.target.instance,
+                     poseOf(goal.target.object.pose, "target.object")};
+  *target = pickTargetOf(goal.target, object.label(), description_.gripper_width_max);
+  return object;
+}
+
+WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
+  driver_.resetMotionTime();
+  if (!goal.target.feasible)
+    return result(PickResult::UNREACHABLE, "the target says that it is not feasible: " + goal.target.reason);
+  SceneObject object;
+  PickTarget target;
+  try {
+    object = checked(goal, &target);
+  } catch (const BadInput& e) {
+    return refuse(e.what());
+  }
+  if (goal.place < 0 || goal.place >= int(places_.size()))
+    return result(PickResult::UNREACHABLE, "there is no place " + std::to_string(goal.place) +
+                                               ": the drop zone has " + std::to_string(places_.size()) +
+                                               ", counted from 0");
+  if (!seen_)
+    return result(PickResult::FAULT, "nothing came on eye_hand/objects yet: what stands around is not known");
+  if (held_ && lost(driver_.gripper()).empty())
+    return result(PickResult::FAULT, "the gripper holds " + held_->object.label() + ": place it first");
+  held_.reset();
+  watch.say("plan", 0);
+  const ros::WallTime begin = ros::WallTime::now();
+  const PlannedPick planned = planThePick(object, target, goal.place);
+  const double planning_time = secondsSince(begin);
+  watch.say("plan", 1);
+  WorkResult done;
+  if (!planned.refused.empty())
+    done = result(PickResult::IN_COLLISION, planned.refused);
+  else if (!planned.kept.plan.planned())
+    done = result(outcomeOf(planned.kept.plan.outcome),
+                  name(planned.kept.plan.outcome) + ": " + planned.kept.plan.reason);
+  else
+    done = drivePick(object, planned, watch);
+  done.planning_time = planning_time;
+  return done;
+}
+
+PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, const PickTarget& target,
+                                                  int place) {
+  PlannedPick planned;
+  const JointVector joints = start();
+  scene_.clearPlace(place);
+  CollisionWorld world = scene_.world(object);
+  planned.refused = sweep(world, joints, driver_.gripper().width, target.open_width);
+  if (!planned.refused.empty()) {
+    planned.refused = "opening the gripper where it stands: " + planned.refused;
+    return planned;
+  }
+  world.setGripperWidth(target.open_width);
+  planned.departure = planDeparture(arm_, world, joints, touching(world), parameters_.planning);
+  if (!planned.departure.possible) {
+    planned.refused = planned.departure.reason;
+    return planned;
+  }
+  PickRequest& request = planned.kept.request;
+  request.start = planned.departure.end;
+  request.target = target;
+  request.drops =
+      dropTargets(places_[size_t(place)], footprintOf(scene_.mesh(object.name), object.base_from_object),
+                  target.base_from_tcp_grasp, parameters_.drop_gap, parameters_.drop_above);
+  request.supports = {"table"};
+  planned.kept.place = place;
+  planned.kept.plan = planPick(arm_, world, request, parameters_.planning);
+  return planned;
+}
+
+WorkResult PlannerWork::drivePick(const SceneObject& object, const PlannedPick& planned,
+                                  const WorkWatch& watch) {
+  const std::vector<PickMotion>& motions = planned.kept.plan.motions;
+  std::vector<Trajectory> shown = trajectoriesOf(motions);
+  if (!planned.departure.trajectory.points.empty()) shown.insert(shown.begin(), planned.departure.trajectory);
+  watch.show(shown);
+  if (watch.cancelled()) return result(PickResult::CANCELLED, "cancelled before anything moved");
+  const DriveWatch reach = driveWatch(watch, "reach", false);
+  Drive drive = driver_.openGripper(planned.kept.request.target.open_width, reach);
+  if (drive.done()) drive = driver_.follow(planned.departure.trajectory, reach);
+  if (drive.done()) visit_ = {};
+  if (drive.done()) drive = driver_.follow(motions[0].trajectory, reach);
+  if (!drive.done()) return result(drive);
+  visit_ = {object, planned.kept.request.target.open_width};
+  drive = driver_.follow(motions[1].trajectory, driveWatch(watch, "approach", false));
+  if (drive.done()) drive = closeOn(object, planned.kept, driveWatch(watch, "close", false));
+  if (drive.done()) drive = driver_.follow(motions[2].trajectory, driveWatch(watch, "lift", true));
+  if (drive.end == DriveEnd::kLost) held_.reset();
+  if (held_ && !drive.done()) held_->kept.reset();
+  if (drive.done()) visit_ = {};
+  return result(drive);
+}
+
+Drive PlannerWork::closeOn(const SceneObject& object, const KeptPlan& kept, const DriveWatch& watch) {
+  const PickTarget& target = kept.request.target;
+  const Drive drive =
+      driver_.closeGripper(std::max(0.0, target.grip_width - parameters_.execution.squeeze), watch);
+  if (drive.end == DriveEnd::kFault) return drive;
+  const GripperState state = driver_.gripper();
+  if (!state.stalled || std::abs(state.width - target.grip_width) > parameters_.execution.width_tolerance) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "the gripper closed to " << state.width * 1e3 << " mm" << (state.stalled ? " (stalled)" : "")
+         << " and " << object.label() << " is " << target.grip_width * 1e3 << " mm wide there";
+    return {DriveEnd::kLost, text.str()};
+  }
+  Held held;
+  held.object = object;
+  held.target = target;
+  held.tcp_from_object = target.base_from_tcp_grasp.inverse() * object.base_from_object;
+  held.width = state.width;
+  held.kept = kept;
+  held_ = held;
+  scene_.takeAway(object);
+  return drive;
+}
+
+bool PlannerWork::keptFits(int place, const JointVector& joints) const {
+  if (!held_->kept || held_->kept->place != place) return false;
+  const KeptPlan& kept = *held_->kept;
+  const JointVector begin = kept.plan.motions[3].trajectory.points.front().position;
+  if ((joints - begin).cwiseAbs().maxCoeff() > parameters_.execution.start_tolerance) return false;
+  const std::vector<CollisionWorld> worlds = worldsOf(scene_.world(held_->object), kept.request, kept.plan);
+  for (size_t i = 3; i < kept.plan.motions.size(); ++i)
+    if (!firstCollision(worlds[i], kept.plan.motions[i].trajectory, kRecheck).first.empty()) return false;
+  return true;
+}
+
+PickPlan PlannerWork::planThePlace(int place, const JointVector& joints) const {
+  PlaceRequest request;
+  request.start = joints;
+  request.object = held_->object.label();
+  request.tcp_from_object = held_->tcp_from_object;
+  request.open_width = held_->target.open_width;
+  request.grip_width = held_->target.grip_width;
+  request.supports = {"table"};
+  request.drops = dropTargets(
+      places_[size_t(place)], footprintOf(scene_.mesh(held_->object.name), held_->object.base_from_object),
+      held_->target.base_from_tcp_grasp, parameters_.drop_gap, parameters_.drop_above);
+  return planPlace(arm_, scene_.world(held_->object), request, parameters_.planning);
+}
+
+WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
+  driver_.resetMotionTime();
+  if (goal.place < 0 || goal.place >= int(places_.size()))
+    return result(PickResult::UNREACHABLE, "there is no place " + std::to_string(goal.place) +
+                                               ": the drop zone has " + std::to_string(places_.size()) +
+                                               ", counted from 0");
+  if (!held_) return result(PickResult::GRASP_LOST, "the gripper holds nothing that was picked");
+  if (const std::string gone = lost(driver_.gripper()); !gone.empty()) {
+    held_.reset();
+    return result(PickResult::GRASP_LOST, gone);
+  }
+  watch.say("plan", 0);
+  const ros::WallTime begin = ros::WallTime::now();
+  const JointVector joints = start();
+  scene_.clearPlace(goal.place);
+  PickPlan plan;
+  if (keptFits(goal.place, joints)) {
+    plan = held_->kept->plan;
+    plan.motions.erase(plan.motions.begin(), plan.motions.begin() + 3);
+  } else {
+    plan = planThePlace(goal.place, joints);
+  }
+  held_->kept.reset();
+  const double planning_time = secondsSince(begin);
+  watch.say("plan", 1);
+  WorkResult done = plan.planned() ? drivePlace(goal.place, plan.motions, watch)
+                                   : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  done.planning_time = planning_time;
+  return done;
+}
+
+WorkResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& motions,
+                                   const WorkWatch& watch) {
+  watch.show(trajectoriesOf(motions));
+  if (watch.cancelled()) return result(PickResult::CANCELLED, "cancelled before anything moved");
+  Drive drive;
+  for (const PickMotion& motion : motions) {
+    if (motion.stage == PickStage::kRetreat) continue;
+    const char* stage = motion.stage == PickStage::kLower ? "lower" : "carry";
+    drive = driver_.follow(motion.trajectory, driveWatch(watch, stage, true));
+    if (drive.end == DriveEnd::kLost) held_.reset();
+    if (!drive.done()) return result(drive);
+  }
+  SceneObject object = held_->object;
+  object.base_from_object = arm_.baseFromTcp(motions[motions.size() - 2].trajectory.points.back().position) *
+                            held_->tcp_from_object;
+  object.base_from_object.translation.z() -= parameters_.drop_gap;
+  const double opening = held_->target.open_width;
+  visit_ = {object, opening};
+  drive = driver_.openGripper(opening, driveWatch(watch, "open", false));
+  if (drive.end == DriveEnd::kFault) return result(drive);
+  held_.reset();
+  scene_.putDown(place, object);
+  if (drive.done()) drive = driver_.follow(motions.back().trajectory, driveWatch(watch, "retreat", false));
+  if (drive.done()) visit_ = {};
+  return result(drive);
+}
+
+}  // namespace monocular_eye_hand

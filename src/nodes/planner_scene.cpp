@@ -1,0 +1,123 @@
+#include "nodes/planner_scene.h"
+
+#include <algorithm>
+
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+Rigid3 poseOf(double x, double y, double z, double roll, double pitch, double yaw) {
+  Rigid3 pose;
+  pose.rotation =
+      (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+       Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
+  pose.translation = {x, y, z};
+  return pose;
+}
+
+std::string placeLabel(const SceneObject& object, int place) {
+  return object.name + " at place " + std::to_string(place);
+}
+
+CollisionWorld fixedWorld(const ArmDescription& arm, const PlannerParameters& parameters) {
+  CollisionWorld world(arm);
+  const PlannerTable& table = parameters.table;
+  world.addBox("table", {table.length, table.width, table.thickness},
+               poseOf(table.x, table.y, table.z - table.thickness / 2, 0, 0, table.yaw));
+  for (const PlannerBox& box : parameters.boxes)
+    world.addBox(box.name, {box.size[0], box.size[1], box.size[2]},
+                 poseOf(box.x, box.y, box.z, box.roll, box.pitch, box.yaw));
+  return world;
+}
+
+}  // namespace
+
+PlannerScene::PlannerScene(const ArmDescription& arm, const PlannerParameters& parameters)
+    : bare_(fixedWorld(arm, parameters)) {
+  for (const ObjectEntry& entry : readObjectEntries(parameters.objects)) {
+    Shape shape;
+    ModelOptions welded = entry.options;
+    welded.find_symmetries = false;
+    shape.mesh = buildModel(entry.name, loadMesh(entry.mesh, entry.unit), welded).mesh;
+    Eigen::AlignedBox3d bounds;
+    for (const Eigen::Vector3d& vertex : shape.mesh.vertices) bounds.extend(vertex);
+    shape.centre = bounds.center();
+    shape.radius = bounds.diagonal().norm() / 2;
+    shape.smallest = bounds.sizes().minCoeff();
+    meshes_.emplace(entry.name, std::move(shape));
+  }
+}
+
+std::string PlannerScene::names() const {
+  std::string names;
+  for (const auto& entry : meshes_) names += (names.empty() ? "" : ", ") + entry.first;
+  return names;
+}
+
+Eigen::Vector3d PlannerScene::centre(const SceneObject& object) const {
+  return object.base_from_object * meshes_.at(object.name).centre;
+}
+
+/// Two poses of one thing: its views differ by less than half of its smallest side.
+bool PlannerScene::same(const SceneObject& a, const SceneObject& b) const {
+  return a.name == b.name && (centre(a) - centre(b)).norm() < meshes_.at(a.name).smallest / 2;
+}
+
+/// Something is seen where one thing is remembered; its like may have been pushed or turned a little.
+bool PlannerScene::standsAt(const SceneObject& other, const SceneObject& remembered) const {
+  const Shape& shape = meshes_.at(remembered.name);
+  const double distance = (centre(other) - centre(remembered)).norm();
+  return distance < (other.name == remembered.name ? shape.radius : shape.smallest / 2);
+}
+
+std::vector<std::string> PlannerScene::see(const std::vector<SceneObject>& objects) {
+  seen_.clear();
+  std::vector<std::string> unknown;
+  for (const SceneObject& object : objects)
+    if (knows(object.name) && object.base_from_object.isFinite())
+      seen_.push_back(object);
+    else
+      unknown.push_back(object.label());
+  for (auto& entry : placed_)  // what is seen again is known better now
+    for (const SceneObject& object : seen_)
+      if (same(object, entry.second)) entry.second.base_from_object = object.base_from_object;
+  return unknown;
+}
+
+CollisionWorld PlannerScene::world(const std::optional<SceneObject>& subject) const {
+  CollisionWorld world = bare_;
+  const auto add = [&](const std::string& label, const SceneObject& object) {
+    if (!world.has(label)) world.addMesh(label, mesh(object.name), object.base_from_object);
+  };
+  if (subject) add(subject->label(), *subject);
+  for (const SceneObject& object : seen_)
+    if (!subject || (object.label() != subject->label() && !same(object, *subject)))
+      add(object.label(), object);
+  for (const auto& entry : placed_) {
+    const SceneObject& object = entry.second;
+    const auto here = [&](const SceneObject& other) { return standsAt(other, object); };
+    if (std::any_of(seen_.begin(), seen_.end(), here) || (subject && here(*subject))) continue;
+    add(placeLabel(object, entry.first), object);
+  }
+  return world;
+}
+
+std::vector<std::string> PlannerScene::labels(const SceneObject& object) const {
+  std::vector<std::string> labels{object.label()};
+  for (const SceneObject& other : seen_)
+    if (standsAt(other, object)) labels.push_back(other.label());
+  for (const auto& entry : placed_)
+    if (standsAt(object, entry.second)) labels.push_back(placeLabel(entry.second, entry.first));
+  return labels;
+}
+
+void PlannerScene::takeAway(const SceneObject& object) {
+  for (auto entry = placed_.begin(); entry != placed_.end();)
+    entry = standsAt(object, entry->second) ? placed_.erase(entry) : std::next(entry);
+}
+
+void PlannerScene::putDown(int place, const SceneObject& object) { placed_[place] = object; }
+
+}  // namespace monocular_eye_hand

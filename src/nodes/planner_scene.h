@@ -1,0 +1,66 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/planning/collision_world.h"
+#include "nodes/planner_parameters.h"
+
+namespace monocular_eye_hand {
+
+/// A known object and where it stands.
+struct SceneObject {
+  std::string name;  ///< in the model base
+  int instance = 0;
+  Rigid3 base_from_object;
+
+  std::string label() const { return name + " " + std::to_string(instance); }  ///< its name in the world
+};
+
+/// What stands around the arm: table, boxes, the objects that eye-hand knows, and what the planner itself put
+/// down and nobody sees.
+class PlannerScene {
+ public:
+  /// Reads the meshes of the model base. Throws BadInput on what is broken in it.
+  PlannerScene(const ArmDescription& arm, const PlannerParameters& parameters);
+
+  bool knows(const std::string& name) const { return meshes_.count(name) > 0; }
+  std::string names() const;  ///< "bridge, grenade, ..." for messages
+  const Mesh& mesh(const std::string& name) const { return meshes_.at(name).mesh; }
+  /// All that eye-hand knows now; objects that are not in the model base are left out and returned by name.
+  std::vector<std::string> see(const std::vector<SceneObject>& objects);
+  const std::vector<SceneObject>& seen() const { return seen_; }
+
+  /// Everything, with `subject` (about to be grasped, or held) at its own pose instead of wherever else it is
+  /// known to be. Nothing is carried.
+  CollisionWorld world(const std::optional<SceneObject>& subject) const;
+
+  /// All names that the world may have for an object that stands there.
+  std::vector<std::string> labels(const SceneObject& object) const;
+  /// The object stands at that place of the drop zone from now on.
+  void putDown(int place, const SceneObject& object);
+  /// Nothing is remembered of the place any more.
+  void clearPlace(int place) { placed_.erase(place); }
+  /// The object was taken from where it stood.
+  void takeAway(const SceneObject& object);
+  size_t remembered() const { return placed_.size(); }
+
+ private:
+  struct Shape {
+    Mesh mesh;
+    Eigen::Vector3d centre;
+    double radius = 0, smallest = 0;  // half the bounding box's diagonal, its smallest side [m]
+  };
+  Eigen::Vector3d centre(const SceneObject& object) const;
+  bool same(const SceneObject& a, const SceneObject& b) const;
+  bool standsAt(const SceneObject& other, const SceneObject& remembered) const;
+
+  const CollisionWorld bare_;
+  std::map<std::string, Shape> meshes_;
+  std::vector<SceneObject> seen_;
+  std::map<int, SceneObject> placed_;
+};
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,105 @@
+#pragma once
+#include <monocular_eye_hand/MoveAction.h>
+#include <monocular_eye_hand/PickAction.h>
+#include <monocular_eye_hand/PlaceAction.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/planning/move_planner.h"
+#include "nodes/drop_places.h"
+#include "nodes/planner_scene.h"
+#include "nodes/robot_driver.h"
+
+namespace monocular_eye_hand {
+
+/// What Pick, Place and Move have in common; the outcomes have the same numbers in all three.
+struct WorkResult {
+  uint8_t outcome = PickResult::FAULT;
+  std::string reason;
+  double planning_time = 0, motion_time = 0;  ///< [s]
+  int reached = -1;                           ///< Move
+};
+
+/// What runs beside an action.
+struct WorkWatch {
+  std::function<bool()> cancelled;
+  std::function<void(const std::string& stage, double progress)> say;
+  std::function<void(const std::vector<Trajectory>&)> show;  ///< the planned motions, before the first
+};
+
+/// Pick, place and move: plans with the planning room, then drives. One call at a time; calls block.
+class PlannerWork {
+ public:
+  /// Throws BadInput on a broken model base or URDF, or an arm that differs from it.
+  explicit PlannerWork(const PlannerParameters& parameters);
+
+  const ToolArm& arm() const { return arm_; }
+  RobotDriver& driver() { return driver_; }
+  PlannerScene& scene() { return scene_; }
+  std::vector<std::string> see(const std::vector<SceneObject>& objects);  ///< PlannerScene::see
+
+  WorkResult pick(const PickGoal& goal, const WorkWatch& watch);
+  WorkResult place(const PlaceGoal& goal, const WorkWatch& watch);
+  WorkResult move(const MoveGoal& goal, const WorkWatch& watch);
+  std::string held() const { return held_ ? held_->object.label() : ""; }
+
+ private:
+  /// A planned pick whose second half waits for place().
+  struct KeptPlan {
+    PickRequest request;
+    PickPlan plan;
+    int place = 0;
+  };
+  /// What the gripper holds.
+  struct Held {
+    SceneObject object;  // as it stood
+    PickTarget target;
+    Rigid3 tcp_from_object;
+    double width = 0;  // between the pads [m]
+    std::optional<KeptPlan> kept;
+  };
+  /// Where the fingers may touch something because they were just there to take or leave it.
+  struct Visit {
+    std::optional<SceneObject> object;
+    double opening = 0;  // that is free there [m]
+  };
+
+  WorkResult refuse(const std::string& what) const;
+  WorkResult result(uint8_t outcome, const std::string& reason) const;
+  WorkResult result(const Drive& drive) const;
+  SceneObject checked(const PickGoal& goal, PickTarget* target) const;
+  JointVector start() const;
+  TouchingPairs touching(const CollisionWorld& world) const;
+  std::string sweep(const CollisionWorld& world, const JointVector& joints, double from, double to) const;
+  double freeOpening(const CollisionWorld& world, const JointVector& joints, double wanted) const;
+
+  struct PlannedPick {
+    Departure departure;
+    KeptPlan kept;
+    std::string refused;  // why the arm cannot leave its start
+  };
+  PlannedPick planThePick(const SceneObject& object, const PickTarget& target, int place);
+  WorkResult drivePick(const SceneObject& object, const PlannedPick& planned, const WorkWatch& watch);
+  Drive closeOn(const SceneObject& object, const KeptPlan& kept, const DriveWatch& watch);
+  bool keptFits(int place, const JointVector& joints) const;
+  PickPlan planThePlace(int place, const JointVector& joints) const;
+  WorkResult drivePlace(int place, const std::vector<PickMotion>& motions, const WorkWatch& watch);
+  WorkResult driveMove(const MovePlan& plan, double opening, const WorkWatch& watch);
+  std::string lost(const GripperState& state) const;
+  DriveWatch driveWatch(const WorkWatch& watch, const std::string& stage, bool holding) const;
+
+  const PlannerParameters parameters_;
+  const ArmDescription description_;
+  const ToolArm arm_;
+  const std::vector<DropPlace> places_;
+  PlannerScene scene_;
+  RobotDriver driver_;
+  bool seen_ = false;
+  std::optional<Held> held_;
+  Visit visit_;
+};
+
+}  // namespace monocular_eye_hand

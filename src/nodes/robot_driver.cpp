@@ -1,0 +1,197 @@
+#include "nodes/robot_driver.h"
+
+#include <std_msgs/Float64.h>
+#include <trajectory_msgs/JointTrajectory.h>
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "nodes/names.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr auto kPoll = std::chrono::milliseconds(10);
+constexpr double kStalledFor = 0.3;  // fingers that begin to open may still be said to be stalled [s, cell]
+
+std::string silence(const char* topic, const ros::WallTime& last, double longest) {
+  if (last.isZero()) return std::string("no ") + topic + " yet: does the driver of the arm run?";
+  const double since = (ros::WallTime::now() - last).toSec();
+  if (since <= longest) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << topic << " is silent for " << since << " s";
+  return text.str();
+}
+
+}  // namespace
+
+RobotDriver::RobotDriver(const ExecutionOptions& options, double feedback_period)
+    : options_(options), feedback_period_(feedback_period) {
+  arm_command_ = node_.advertise<trajectory_msgs::JointTrajectory>(names::kArmCommand, 10);
+  gripper_command_ = node_.advertise<std_msgs::Float64>(names::kGripperCommand, 10);
+  joint_subscriber_ = node_.subscribe(names::kJointStates, 100, &RobotDriver::onJoints, this);
+  gripper_subscriber_ = node_.subscribe(names::kGripperState, 100, &RobotDriver::onGripper, this);
+}
+
+void RobotDriver::onJoints(const sensor_msgs::JointState& message) {
+  ArmState state;
+  if (!armState(message, &state)) return;  // another device's message
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const double dt = state_ ? state.stamp - state_->stamp : 0;
+  if (state.has_speeds)
+    speed_ = state.speeds.cwiseAbs().maxCoeff();
+  else if (dt > 0)
+    speed_ = (state.joints - state_->joints).cwiseAbs().maxCoeff() / dt;
+  state_ = state;
+  joints_at_ = ros::WallTime::now();
+  if (follower_) follower_->update(state.stamp, state.joints, speed_);
+  changed_.notify_all();
+}
+
+void RobotDriver::onGripper(const GripperState& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  gripper_ = message;
+  gripper_at_ = ros::WallTime::now();
+  changed_.notify_all();
+}
+
+std::string RobotDriver::silentJoints() const {
+  return silence(names::kJointStates, joints_at_, options_.joint_silence);
+}
+std::string RobotDriver::silentGripper() const {
+  return silence(names::kGripperState, gripper_at_, options_.gripper_silence);
+}
+std::string RobotDriver::jointSilence() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return silentJoints();
+}
+std::string RobotDriver::gripperSilence() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return silentGripper();
+}
+
+JointVector RobotDriver::joints() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::string silent = silentJoints();
+  if (!silent.empty()) throw BadInput(silent);
+  return state_->joints;
+}
+
+GripperState RobotDriver::gripper() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::string silent = silentGripper();
+  if (!silent.empty()) throw BadInput(silent);
+  return *gripper_;
+}
+
+std::string RobotDriver::stop() {
+  const ros::Time told = ros::Time::now();
+  trajectory_msgs::JointTrajectory nothing;
+  nothing.joint_names.assign(std::begin(names::kArmJoints), std::end(names::kArmJoints));
+  arm_command_.publish(nothing);
+  const ros::WallTime begin = ros::WallTime::now();
+  std::unique_lock<std::mutex> lock(mutex_);
+  const double from = std::max(told.toSec(), state_ ? state_->stamp + 1e-6 : 0.0);
+  while (ros::ok()) {
+    if (state_ && state_->stamp >= from && speed_ <= options_.follow.stand_speed) return "";
+    if ((ros::WallTime::now() - begin).toSec() > options_.stop_timeout) break;
+    changed_.wait_for(lock, kPoll);
+  }
+  const std::string silent = silentJoints();
+  return silent.empty() ? "the arm does not stop" : silent + ": whether the arm stopped is not known";
+}
+
+Drive RobotDriver::stopped(DriveEnd end, const std::string& reason) {
+  const std::string trouble = stop();
+  if (trouble.empty()) return {end, reason};
+  return {DriveEnd::kFault, end == DriveEnd::kFault ? reason : reason + "; " + trouble};
+}
+
+Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch) {
+  if (trajectory.points.size() < 2) return {};
+  const ros::Time start = ros::Time::now();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    follower_.emplace(trajectory, start.toSec(), options_.follow);
+  }
+  arm_command_.publish(toMessage(trajectory));
+  Drive drive;
+  ros::WallTime told;
+  std::unique_lock<std::mutex> lock(mutex_);
+  for (bool on = true; on;) {
+    const TrajectoryFollower::State state = follower_->state();
+    const std::string silent = silentJoints(), silent_gripper = watch.lost ? silentGripper() : "";
+    const std::string lost = watch.lost && gripper_ ? watch.lost(*gripper_) : "";
+    const double progress = follower_->progress();
+    const std::string failure = follower_->reason();
+    lock.unlock();
+    on = false;
+    if (!ros::ok() || watch.cancelled())
+      drive = stopped(DriveEnd::kCancelled, "cancelled");
+    else if (state == TrajectoryFollower::State::kFailed)
+      drive = stopped(DriveEnd::kFault, failure);
+    else if (!silent.empty())
+      drive = stopped(DriveEnd::kFault, silent);
+    else if (!silent_gripper.empty())
+      drive = stopped(DriveEnd::kFault, silent_gripper);
+    else if (!lost.empty())
+      drive = stopped(DriveEnd::kLost, lost);
+    else
+      on = state != TrajectoryFollower::State::kArrived;
+    if (watch.feedback && (!on || ros::WallTime::now() - told > feedback_period_)) {
+      watch.feedback(progress);
+      told = ros::WallTime::now();
+    }
+    lock.lock();
+    if (on) changed_.wait_for(lock, kPoll);
+  }
+  follower_.reset();
+  motion_time_ += (ros::Time::now() - start).toSec();
+  return drive;
+}
+
+Drive RobotDriver::openGripper(double width, const DriveWatch& watch) {
+  return moveFingers(width, false, watch);
+}
+Drive RobotDriver::closeGripper(double width, const DriveWatch& watch) {
+  return moveFingers(width, true, watch);
+}
+
+Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& watch) {
+  const ros::Time start = ros::Time::now();
+  const ros::WallTime begin = ros::WallTime::now();
+  if (watch.feedback) watch.feedback(0);
+  std_msgs::Float64 command;
+  command.data = width;
+  gripper_command_.publish(command);
+  const auto fault = [&](const std::string& reason) {
+    motion_time_ += (ros::Time::now() - start).toSec();
+    return Drive{DriveEnd::kFault, reason};
+  };
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (ros::ok()) {
+    const std::string silent = silentGripper();
+    if (!silent.empty()) return fault(silent);
+    const GripperState& state = *gripper_;
+    const double since = (state.header.stamp - start).toSec();
+    const bool there = std::abs(state.width - width) <= options_.open_tolerance;
+    if (since > 0 && !state.moving && (there || (closing && state.stalled))) break;
+    if (since > kStalledFor && !closing && !state.moving && state.stalled)
+      return fault("something keeps the fingers from opening: they are stalled at " +
+                   std::to_string(state.width * 1e3) + " mm");
+    if ((ros::WallTime::now() - begin).toSec() > options_.gripper_timeout)
+      return fault("the gripper did not go to " + std::to_string(width * 1e3) + " mm in time: it stands at " +
+                   std::to_string(state.width * 1e3) + " mm");
+    changed_.wait_for(lock, kPoll);
+  }
+  lock.unlock();
+  motion_time_ += (ros::Time::now() - start).toSec();
+  if (watch.feedback) watch.feedback(1);
+  if (!ros::ok() || watch.cancelled()) return {DriveEnd::kCancelled, "cancelled"};
+  return {};
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,72 @@
+#include "nodes/trajectory_follower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kStep = 0.01;   // of the search along the trajectory [s]
+constexpr double kAhead = 0.05;  // a stamp may be so much older than the state it tells [s]
+
+double apart(const JointVector& a, const JointVector& b, int* joint = nullptr) {
+  return (a - b).cwiseAbs().maxCoeff(joint ? joint : nullptr);
+}
+
+}  // namespace
+
+TrajectoryFollower::TrajectoryFollower(const Trajectory& trajectory, double start,
+                                       const FollowOptions& options)
+    : trajectory_(trajectory), start_(start), options_(options) {}
+
+double TrajectoryFollower::progress() const {
+  const double duration = trajectory_.duration();
+  return state_ == State::kArrived || duration <= 0 ? 1 : std::min(1.0, at_ / duration);
+}
+
+TrajectoryFollower::State TrajectoryFollower::fail(const std::string& reason) {
+  reason_ = reason;
+  return state_ = State::kFailed;
+}
+
+void TrajectoryFollower::advance(double stamp, const JointVector& joints) {
+  const double latest = std::min(trajectory_.duration(), stamp - start_ + kAhead);
+  double best = at_, least = apart(trajectory_.sample(at_).position, joints);
+  for (double t = at_ + kStep; t < latest + kStep; t += kStep) {
+    const double at = std::min(t, latest);
+    const double distance = apart(trajectory_.sample(at).position, joints);
+    if (distance < least) best = at, least = distance;
+  }
+  at_ = std::max(at_, best);
+}
+
+TrajectoryFollower::State TrajectoryFollower::update(double stamp, const JointVector& joints, double speed) {
+  if (state_ != State::kMoving || stamp < start_) return state_;
+  advance(stamp, joints);
+  std::ostringstream text;
+  text.precision(3);
+  int joint = 0;
+  const JointVector meant = trajectory_.sample(at_).position;
+  if (const double off = apart(meant, joints, &joint); off > options_.deviation) {
+    text << "joint" << joint + 1 << " is " << off << " rad off the planned path (" << options_.deviation
+         << " allowed)";
+    return fail(text.str());
+  }
+  const double duration = trajectory_.duration(), since = stamp - start_;
+  const double rest = apart(trajectory_.sample(duration).position, joints, &joint);
+  if (since >= duration && rest <= options_.goal_tolerance && speed <= options_.stand_speed)
+    return state_ = State::kArrived;
+  if (since - at_ > options_.lag && at_ < duration) {
+    text << "the arm is " << since - at_ << " s behind the plan (" << options_.lag << " allowed)";
+    return fail(text.str());
+  }
+  if (since > duration + options_.settle) {
+    text << "the arm did not come to rest at its goal: joint" << joint + 1 << " is " << rest << " rad off, "
+         << speed << " rad/s fast, " << since - duration << " s after its time";
+    return fail(text.str());
+  }
+  return state_;
+}
+
+}  // namespace monocular_eye_hand
