@@ -32,7 +32,8 @@ bool WorkCellNode::Instants::pass(int64_t now) {
 }
 
 WorkCellNode::WorkCellNode(WorkCell cell, const WorkCellParameters& parameters)
-    : cell_(std::move(cell)),
+    : images_in_motion_(parameters.images_in_motion),
+      cell_(std::move(cell)),
       outputs_(cell_, parameters.camera_threads),
       pace_(parameters.real_time_factor),
       joint_instants_(parameters.joint_rate),
@@ -78,7 +79,7 @@ void WorkCellNode::publishDue() {
     outputs_.clock();
   }
   if (truth_instants_.pass(now()) || outputs_.newEvents()) outputs_.truth();
-  if (camera) outputs_.camera();
+  if (camera && (images_in_motion_ || !moving())) outputs_.camera();
 }
 
 void WorkCellNode::run() {

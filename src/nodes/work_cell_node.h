@@ -46,6 +46,7 @@ class WorkCellNode {
   void onTrajectory(const trajectory_msgs::JointTrajectory& message);
   void onWidth(const std_msgs::Float64& message);
 
+  const bool images_in_motion_;
   WorkCell cell_;
   WorkCellOutputs outputs_;
   CellPace pace_;

@@ -187,5 +187,24 @@ TEST(CameraInfo, RefusesTheSecondStereoCamera) {
   EXPECT_EQ(refusal(info, ImageKind::kRaw), "accepted");
 }
 
+TEST(CameraInfo, OfACameraGivesThatCamera) {
+  Camera camera{640, 480, 600, 610, 300.5, 239.5, DistortionModel::kNone, {}};
+  const std::vector<std::pair<std::string, std::vector<double>>> lenses{
+      {"", {}},
+      {"plumb_bob", {-0.11, 0.06, 0.0006, -0.0004, 0.01}},
+      {"rational_polynomial", {0.1, -0.2, 0.001, 0.002, 0.03, 0.01, 0.02, 0.03}}};
+  for (const auto& [model, coefficients] : lenses) {
+    setDistortion(&camera, model, coefficients.data(), coefficients.size());
+    const sensor_msgs::CameraInfo info = toCameraInfo(camera);
+    const Camera raw = cameraFromInfo(info, ImageKind::kRaw, 640, 480);
+    EXPECT_EQ(raw.intrinsics(), camera.intrinsics()) << model;
+    EXPECT_EQ(raw.d, camera.d) << model;
+    EXPECT_EQ(raw.distorted(), camera.distorted()) << model;
+    const Camera rectified = cameraFromInfo(info, ImageKind::kRectified, 640, 480);
+    EXPECT_EQ(rectified.intrinsics(), camera.intrinsics()) << model;
+    EXPECT_FALSE(rectified.distorted()) << model;
+  }
+}
+
 }  // namespace
 }  // namespace monocular_eye_hand

@@ -71,6 +71,18 @@ class TestRefusals(unittest.TestCase):
         broken = self.write("broken.yaml", "image_width: many\n")
         self.refused("image_source", [source, "_camera_info:=" + broken], broken + " cannot be read")
 
+    def test_work_cell(self):
+        path = rospkg.RosPack().get_path("monocular_eye_hand")
+        objects, urdf = "_objects:=%s/config/objects.yaml" % path, "_urdf:=%s/urdf/puma560.urdf" % path
+        self.refused("work_cell", [urdf], "objects is not set")
+        self.refused("work_cell", [objects], "urdf is not set")
+        self.refused("work_cell", [objects, "_urdf:=" + self.image], self.image)
+        self.refused("work_cell", [objects, urdf, "_real_time_factor:=-1.0"], "real_time_factor = -1")
+        self.refused("work_cell", [objects, urdf, "_camera:=10"], "unknown key 'camera'")
+        self.refused("work_cell", [objects, urdf, "_cell/frictoin:=1.0"], "'cell.frictoin'; did you mean 'cell.friction'?")
+        self.refused("work_cell", [objects, urdf, "_cell/start_width:=0.5"], "width")
+        self.refused("work_cell", [objects, urdf, "_arm/a2:=0.5"], "tool0")
+
 
 if __name__ == "__main__":
     rostest.rosrun("monocular_eye_hand", "refusals", TestRefusals)
