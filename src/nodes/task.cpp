@@ -17,14 +17,16 @@ class TaskNode {
   TaskNode(const ModelBase& models, const TaskParameters& parameters)
       : models_(models),
         parameters_(parameters),
+        world_(&models, parameters, [this] { return stopped(); }),
         server_(
             ros::NodeHandle("~"), "clear_frame", [this](const ClearFrameGoalConstPtr& goal) { run(*goal); },
-            false),
-        world_(&models, parameters, [this] { return server_.isPreemptRequested() || !ros::ok(); }) {
+            false) {
     server_.start();
   }
 
  private:
+  bool stopped() { return server_.isPreemptRequested() || !ros::ok(); }
+
   void run(const ClearFrameGoal& goal) {
     const ros::Time begin = ros::Time::now();
     TaskResult result;
@@ -33,7 +35,7 @@ class TaskNode {
       if (!goal.frame.empty()) options.frame = goal.frame;
       world_.restart();
       ClearFrameTask task(
-          &models_, &world_, options, [this] { return server_.isPreemptRequested() || !ros::ok(); },
+          &models_, &world_, options, [this] { return stopped(); },
           [this](const TaskFeedback& feedback) {
             ROS_INFO("%s %s: %s", name(feedback.stage), feedback.object.c_str(), feedback.text.c_str());
             server_.publishFeedback(toMessage(feedback));
@@ -56,8 +58,8 @@ class TaskNode {
 
   const ModelBase& models_;
   const TaskParameters parameters_;
-  actionlib::SimpleActionServer<ClearFrameAction> server_;
   RosTaskWorld world_;
+  actionlib::SimpleActionServer<ClearFrameAction> server_;  // last: its thread ends before the world goes
 };
 
 }  // namespace
