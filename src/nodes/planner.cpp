@@ -18,14 +18,14 @@ int main(int argc, char** argv) {
   // The node's own handlers: an arm that moves is stopped before the topics go away.
   ros::init(argc, argv, "planner", ros::init_options::NoSigintHandler);
   ros::NodeHandle node;  // keeps the node up
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
   try {
     meh::PlannerParameters parameters;
     // actionlib keeps its settings below the names of the actions.
     meh::readOptions(meh::privateParameters({"pick", "place", "move"}), &parameters);
     ros::AsyncSpinner spinner(2);
     meh::PlannerNode planner(parameters);
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
     spinner.start();
     ROS_INFO("ready; %zu places in the drop zone", parameters.drop_zone.places().size());
     while (ros::ok() && !interrupted) ros::WallDuration(0.05).sleep();

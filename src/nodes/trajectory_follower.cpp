@@ -10,8 +10,13 @@ namespace {
 constexpr double kStep = 0.01;   // of the search along the trajectory [s]
 constexpr double kAhead = 0.05;  // a stamp may be so much older than the state it tells [s]
 
-double apart(const JointVector& a, const JointVector& b, int* joint = nullptr) {
-  return (a - b).cwiseAbs().maxCoeff(joint ? joint : nullptr);
+double apart(const JointVector& a, const JointVector& b) { return (a - b).cwiseAbs().maxCoeff(); }
+
+/// "joint3" of the joint that is farthest off.
+std::string farthest(const JointVector& a, const JointVector& b) {
+  int joint = 0;
+  (a - b).cwiseAbs().maxCoeff(&joint);
+  return "joint" + std::to_string(joint + 1);
 }
 
 }  // namespace
@@ -46,15 +51,15 @@ TrajectoryFollower::State TrajectoryFollower::update(double stamp, const JointVe
   advance(stamp, joints);
   std::ostringstream text;
   text.precision(3);
-  int joint = 0;
   const JointVector meant = trajectory_.sample(at_).position;
-  if (const double off = apart(meant, joints, &joint); off > options_.deviation) {
-    text << "joint" << joint + 1 << " is " << off << " rad off the planned path (" << options_.deviation
+  if (const double off = apart(meant, joints); off > options_.deviation) {
+    text << farthest(meant, joints) << " is " << off << " rad off the planned path (" << options_.deviation
          << " allowed)";
     return fail(text.str());
   }
   const double duration = trajectory_.duration(), since = stamp - start_;
-  const double rest = apart(trajectory_.sample(duration).position, joints, &joint);
+  const JointVector goal = trajectory_.sample(duration).position;
+  const double rest = apart(goal, joints);
   if (since >= duration && rest <= options_.goal_tolerance && speed <= options_.stand_speed)
     return state_ = State::kArrived;
   if (since - at_ > options_.lag && at_ < duration) {
@@ -62,8 +67,8 @@ TrajectoryFollower::State TrajectoryFollower::update(double stamp, const JointVe
     return fail(text.str());
   }
   if (since > duration + options_.settle) {
-    text << "the arm did not come to rest at its goal: joint" << joint + 1 << " is " << rest << " rad off, "
-         << speed << " rad/s fast, " << since - duration << " s after its time";
+    text << "the arm did not come to rest at its goal: " << farthest(goal, joints) << " is " << rest
+         << " rad off, " << speed << " rad/s fast, " << since - duration << " s after its time";
     return fail(text.str());
   }
   return state_;
