@@ -74,7 +74,7 @@ void EyeHandNode::onView(const RecognizedObjectArrayConstPtr& view) {
   changed_.notify_all();
   if (overtaken)
     refuse(*overtaken, std::to_string(parameters_.max_waiting) +
-                           " newer views came while it waited for tf of those before it");
+                           " newer views came while it waited for its turn behind one without tf");
 }
 
 void EyeHandNode::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
@@ -105,7 +105,7 @@ void EyeHandNode::workOn(const RecognizedObjectArray& view) {
     const std::string outcomes = merge(view);
     ROS_DEBUG("view of %f: %s", view.header.stamp.toSec(), outcomes.c_str());
     diagnostics_.viewUsed(outcomes);
-    outputs_.publish(map_.known(), view.header.stamp, "");
+    tell(view.header.stamp, "");
   } catch (const std::exception& e) {
     if (!stop_) refuse(view, e.what());
   }
@@ -140,7 +140,12 @@ std::string EyeHandNode::merge(const RecognizedObjectArray& view) {
 void EyeHandNode::refuse(const RecognizedObjectArray& view, const std::string& reason) {
   map_.refuse(reason);
   diagnostics_.viewRefused(reason);
-  outputs_.publish(map_.known(), view.header.stamp, reason);
+  tell(view.header.stamp, reason);
+}
+
+void EyeHandNode::tell(const ros::Time& stamp, const std::string& refused) {
+  std::lock_guard<std::mutex> lock(tell_mutex_);
+  outputs_.publish(map_.known(), stamp, refused);
 }
 
 sensor_msgs::CameraInfoConstPtr EyeHandNode::waitForInfo() {
@@ -202,8 +207,7 @@ bool EyeHandNode::onForget(ForgetObject::Request& request, ForgetObject::Respons
     response.text = "no " + (request.name.empty() ? "object" : which) + " is known";
   else
     response.text = "forgot " + (request.name.empty() ? "everything" : which);
-  const KnownObjects known = map_.known();
-  if (response.forgotten > 0) outputs_.publish(known, known.stamp, "");
+  if (response.forgotten > 0) tell(map_.known().stamp, "");
   return true;
 }
 

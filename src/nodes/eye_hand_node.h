@@ -41,6 +41,8 @@ class EyeHandNode {
   /// Merges the view. Throws BadInput with the reason why it is not used; what it returns are outcomes.
   std::string merge(const RecognizedObjectArray& view);
   void refuse(const RecognizedObjectArray& view, const std::string& reason);
+  /// Publishes what is known now.
+  void tell(const ros::Time& stamp, const std::string& refused);
   sensor_msgs::CameraInfoConstPtr waitForInfo();
   void watchClock();
   ArmNow armNow() const;
@@ -52,6 +54,7 @@ class EyeHandNode {
   HandInput hand_;
   SharedMap map_;
   EyeHandOutputs outputs_;
+  std::mutex tell_mutex_;  // who looks later tells later
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -10,6 +10,11 @@ namespace {
 
 constexpr double kPoll = 0.005;  // while waiting for what is late [s]
 
+// tf ends its sentences in several ways.
+std::string withoutFullStop(const std::string& text) {
+  return text.substr(0, text.find_last_not_of(" .") + 1);
+}
+
 }  // namespace
 
 HandInput::HandInput(const EyeHandParameters& parameters, const Puma560& arm)
@@ -79,7 +84,8 @@ std::string HandInput::lookUp(const std::string& target, const std::string& sour
     *target_from_source = fromTransform(buffer_.lookupTransform(target, source, stamp).transform);
     return "";
   } catch (const tf2::TransformException& e) {
-    return "no transform from " + source + " to " + target + " at the image's stamp: " + e.what();
+    return "no transform from " + source + " to " + target +
+           " at the image's stamp: " + withoutFullStop(e.what());
   }
 }
 

@@ -2,8 +2,8 @@
 """The node eye_hand from its launch file, with parameters that it refuses, and with a clock that is set back."""
 import os
 import sys
-import tempfile
 import threading
+import time
 import unittest
 
 import numpy
@@ -52,6 +52,23 @@ class TestEyeHandStart(unittest.TestCase):
         cls.package = rospkg.RosPack().get_path("monocular_eye_hand")
         cls.files = ["_objects:=" + cls.package + "/config/objects.yaml", "_urdf:=" + cls.package + "/urdf/puma560.urdf"]
 
+    def publisher(self, topic, kind, latch=False):
+        publisher = rospy.Publisher(topic, kind, queue_size=100, latch=latch)
+        self.addCleanup(publisher.unregister)
+        return publisher
+
+    def listen(self, topic, kind):
+        collector = node_process.Collector()
+        subscriber = rospy.Subscriber(topic, kind, collector, queue_size=100)
+        self.addCleanup(subscriber.unregister)
+        return collector, subscriber
+
+    def connected(self, *ends):
+        end = time.monotonic() + node_process.START
+        while not all(one.get_num_connections() for one in ends):
+            self.assertLess(time.monotonic(), end, "not connected")
+            time.sleep(0.05)
+
     def refused(self, arguments, *words):
         with node_process.node("eye_hand", "eye_hand", arguments) as node:
             self.assertEqual(node.exit_code(), 1, node.text())
@@ -69,15 +86,13 @@ class TestEyeHandStart(unittest.TestCase):
             reply = ask("bridge", -1)
             self.assertEqual(reply.status, GraspTargetsResponse.NOT_READY, reply.text)
             self.assertEqual(rospy.get_param("/left_eye_hand/table_height"), 0.3)
-            arrays = node_process.Collector()
-            listener = rospy.Subscriber("/left_eye_hand/objects", LocatedObjectArray, arrays, queue_size=10)
-            recognizer = rospy.Publisher("/recognizer/objects", RecognizedObjectArray, queue_size=10, latch=True)
+            arrays, listener = self.listen("/left_eye_hand/objects", LocatedObjectArray)
+            recognizer = self.publisher("/recognizer/objects", RecognizedObjectArray)
+            self.connected(listener, recognizer)
             recognizer.publish(scene.view(rospy.Time(5), []))
             array = arrays.wait()
             self.assertIsNotNone(array, process.text())
             self.assertIn("no camera_info on /camera/camera_info", array.refused)
-            listener.unregister()
-            recognizer.unregister()
 
     def test_parameters(self):
         self.refused(self.files[1:], "objects is not set")
@@ -103,16 +118,38 @@ class TestEyeHandStart(unittest.TestCase):
         finally:
             rospy.delete_param("/robot_description")
 
+    def test_more_views_than_can_wait(self):
+        """None is lost without a word."""
+        self.publisher("/camera_info", CameraInfo, latch=True).publish(scene.camera_info())
+        recognizer = self.publisher("/recognizer/objects", RecognizedObjectArray)
+        arrays, listener = self.listen("/eye_hand/objects", LocatedObjectArray)
+        with node_process.node("eye_hand", "eye_hand", self.files + ["_wait:=3.0", "_max_waiting:=2"]) as node:
+            rospy.wait_for_service("/eye_hand/forget", node_process.START)
+            self.connected(recognizer, listener)
+            now = rospy.Time.now()
+            stamps = [now + rospy.Duration(k) for k in range(6)]
+            recognizer.publish(scene.view(stamps[0], []))
+            rospy.sleep(0.5)  # the first is taken and waits for tf
+            for stamp in stamps[1:]:
+                recognizer.publish(scene.view(stamp, []))
+            for stamp in stamps:
+                array = arrays.wait(lambda message: message.header.stamp == stamp)
+                self.assertIsNotNone(array, node.text())
+                self.assertNotEqual(array.refused, "")
+            refusals = {array.header.stamp: array.refused for array in arrays.messages}
+            for stamp in stamps[1:4]:
+                self.assertIn("2 newer views came while it waited", refusals[stamp])
+            for stamp in stamps[:1] + stamps[4:]:
+                self.assertIn("no transform", refusals[stamp])
+
     def test_clock_set_back(self):
         """A bag that plays again: what was known is forgotten, and the views of the second time are used."""
         rospy.set_param(SIM_TIME, True)
         clock = SetClock(1000)
         arm = scene.Arm(clock.now)
-        info = rospy.Publisher("/camera_info", CameraInfo, queue_size=1, latch=True)
-        info.publish(scene.camera_info())
-        recognizer = rospy.Publisher("/recognizer/objects", RecognizedObjectArray, queue_size=10)
-        arrays = node_process.Collector()
-        listener = rospy.Subscriber("/eye_hand/objects", LocatedObjectArray, arrays, queue_size=10)
+        self.publisher("/camera_info", CameraInfo, latch=True).publish(scene.camera_info())
+        recognizer = self.publisher("/recognizer/objects", RecognizedObjectArray)
+        arrays, listener = self.listen("/eye_hand/objects", LocatedObjectArray)
         aside = scene.transform(numpy.eye(3), [0, 0.2, 0]) @ BRIDGE
 
         def see(named):
@@ -125,20 +162,17 @@ class TestEyeHandStart(unittest.TestCase):
         try:
             with node_process.node("eye_hand", "eye_hand", self.files + ["_wait:=10.0"]) as node:
                 rospy.wait_for_service("/eye_hand/forget", node_process.START)
-                while recognizer.get_num_connections() == 0:
-                    rospy.sleep(0.05)
+                self.connected(recognizer, listener)
                 arm.hang_camera()
                 rospy.sleep(0.5)
                 self.assertEqual(see([("bridge", BRIDGE), ("bridge", aside)]), [("bridge", 0), ("bridge", 1)])
                 clock.set(10)
                 rospy.sleep(0.5)
-                arm.hang_camera()
                 self.assertEqual(see([("bridge", aside)]), [("bridge", 0)])
         finally:
             clock.stop.set()
             clock.thread.join()
             arm.timer.shutdown()
-            listener.unregister()
             rospy.delete_param(SIM_TIME)
 
 
