@@ -105,6 +105,7 @@ class Run:
         self.picks = []   # {target, truth at that time, planning, motion, outcome, reason}
         self.places = []
         self.stages = []
+        self.overlay = None
         self.pictures = 0
 
     def connect(self):
@@ -157,22 +158,21 @@ class Run:
         f = message.feedback
         self.stages.append((f.stage, f.object, f.text))
         print("  %-8s %-10s %s" % (f.stage, f.object, f.text), flush=True)
-        self.wanted_picture = f.stage in ("choose", "done")
-
-    wanted_picture = False
+        if f.stage in ("choose", "pick", "done") and self.overlay:
+            self.save(self.overlay, "%02d_%s" % (self.pictures, "_".join([f.stage] + f.object.split())))
+            self.pictures += 1
 
     def on_overlay(self, message):
-        if not self.wanted_picture:
-            return
-        self.wanted_picture = False
-        self.pictures += 1
+        self.overlay = message
+
+    def save(self, message, name):
         channels = 1 if message.encoding in ("mono8", "8UC1") else 3
         image = numpy.frombuffer(message.data, numpy.uint8).reshape(message.height, message.step)
         image = image[:, :message.width * channels].reshape(message.height, message.width, channels)
         if message.encoding == "bgr8":
             image = image[:, :, ::-1]
         kind = b"P5" if channels == 1 else b"P6"
-        with open(os.path.join(self.options.out, "look_%d.%s" % (self.pictures, "pgm" if channels == 1 else "ppm")), "wb") as f:
+        with open(os.path.join(self.options.out, name + (".pgm" if channels == 1 else ".ppm")), "wb") as f:
             f.write(kind + b"\n%d %d\n255\n" % (message.width, message.height) + numpy.ascontiguousarray(image).tobytes())
 
     def run(self):

@@ -74,10 +74,11 @@ void ClearFrameTask::lookAround() {
   }
   TaskView view;
   view.overview = overview_;
-  tell("overview " + std::to_string(overview_ + 1) + " of " + std::to_string(options_.overviews));
+  const int views = result_.rounds == 1 ? options_.overviews : options_.overviews_again;
+  tell("overview " + std::to_string(overview_ + 1) + " of " + std::to_string(views));
   TaskLook seen;
   if (!look(view, &seen)) return;
-  if (++overview_ < options_.overviews) return;
+  if (++overview_ < views) return;
   if (frame_ >= 0 && !frame_pose_)
     return finish(TaskOutcome::kNoFrame, "no " + options_.frame + " was found");
   stage_ = TaskStage::kChoose;

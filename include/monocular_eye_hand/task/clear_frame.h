@@ -14,7 +14,8 @@ namespace monocular_eye_hand {
 struct ClearFrameOptions {
   std::string frame = "frame";  ///< name of the object to be cleared; "": the whole table
   double frame_margin = 0.02;   ///< an object counts as inside up to so far outside the frame's border [m]
-  int overviews = 2;            ///< views of the whole frame per round
+  int overviews = 2;            ///< views of the whole frame in the first round
+  int overviews_again = 1;      ///< the same in every further round
   int look_attempts = 3;        ///< a view that fails so often in a row ends the task
   int near_looks = 3;           ///< per object and round, until its pose is sure enough
   int confirm_attempts = 2;     ///< near looks that do not show an object before it is given up
@@ -26,6 +27,7 @@ struct ClearFrameOptions {
   template <class Visitor>
   void visit(Visitor&& v) {
     v("frame", frame), v("frame_margin", frame_margin), v("overviews", overviews);
+    v("overviews_again", overviews_again);
     v("look_attempts", look_attempts), v("near_looks", near_looks), v("confirm_attempts", confirm_attempts);
     v("pick_attempts", pick_attempts), v("candidates", candidates), v("most_rounds", most_rounds);
   }
