@@ -5,112 +5,23 @@ import sys
 import tempfile
 import time
 import unittest
-import xml.etree.ElementTree
 
 import numpy
-import rospkg
 import rospy
 import rostest
 import tf2_ros
 import yaml
-from rosgraph_msgs.msg import Clock, Log
-from sensor_msgs.msg import CameraInfo, Image, JointState
+from rosgraph_msgs.msg import Log
+from sensor_msgs.msg import Image
 from std_msgs.msg import Float64
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import eye_hand_scene
 import node_process
-from monocular_eye_hand.msg import GripperState, WorkCellTruth
+from work_cell_process import FINGERS, JOINTS, LOOK, PACKAGE, Cell, joints_near, limits, pose_of
 
-PACKAGE = rospkg.RosPack().get_path("monocular_eye_hand")
-JOINTS = ["joint%d" % i for i in range(1, 7)]
-FINGERS = ["finger_left_joint", "finger_right_joint"]
-LOOK = [0.311033, 1.44815, -3.260139, -0.018686, -1.274922, -2.827161]  # the camera above the frame
 SEED = 7
-
-
-def limits():
-    """Lower and upper [rad] and speed [rad/s] of the arm's joints, from the URDF."""
-    robot = xml.etree.ElementTree.parse(PACKAGE + "/urdf/puma560.urdf").getroot()
-    of = {joint.get("name"): joint.find("limit") for joint in robot.findall("joint")}
-    return numpy.array([[float(of[name].get(key)) for key in ("lower", "upper", "velocity")] for name in JOINTS]).T
-
-
-def pose_of(truth):
-    """Label, name and pose of every object, as numbers that can be compared."""
-    return [(o.label, o.name, [o.pose.position.x, o.pose.position.y, o.pose.position.z, o.pose.orientation.x,
-                               o.pose.orientation.y, o.pose.orientation.z, o.pose.orientation.w])
-            for o in truth.objects]
-
-
-class Cell:
-    """work_cell.launch as a child, with everything it says."""
-
-    def __init__(self, *arguments):
-        self.heard = {}
-        self.subscribers = []
-        for topic, kind in (("/clock", Clock), ("/joint_states", JointState), ("/gripper/state", GripperState),
-                            ("/work_cell/truth", WorkCellTruth), ("/camera/camera_info", CameraInfo),
-                            ("/rosout", Log)):
-            self.listen(topic, kind)
-        self.arm = rospy.Publisher("/arm_controller/command", JointTrajectory, queue_size=10)
-        self.gripper = rospy.Publisher("/gripper/command", Float64, queue_size=10)
-        self.process = node_process.launch("work_cell.launch", arguments)
-
-    def __enter__(self):
-        if self.wait("/joint_states") is None or self.wait("/work_cell/truth") is None:
-            raise RuntimeError("the cell does not start: " + self.process.text())
-        while self.arm.get_num_connections() == 0 or self.gripper.get_num_connections() == 0:
-            time.sleep(0.01)
-        return self
-
-    def __exit__(self, *_):
-        self.process.stop()
-        for subscriber in self.subscribers:
-            subscriber.unregister()
-        self.arm.unregister()
-        self.gripper.unregister()
-
-    def listen(self, topic, kind):
-        self.heard[topic] = node_process.Collector()
-        self.subscribers.append(rospy.Subscriber(topic, kind, self.heard[topic], queue_size=100000,
-                                                 buff_size=1 << 24))
-
-    def wait(self, topic, fits=lambda message: True):
-        return self.heard[topic].wait(fits)
-
-    def next(self, topic):
-        """A message that comes from now on."""
-        self.heard[topic].clear()
-        return self.wait(topic)
-
-    def now(self):
-        return self.next("/clock").clock.to_sec()
-
-    def joints(self):
-        return numpy.array(self.next("/joint_states").position[:6])
-
-    def send(self, goal, duration, start=0.0, names=None):
-        names = names or JOINTS
-        message = JointTrajectory(joint_names=names)
-        message.header.stamp = rospy.Time.from_sec(start)
-        message.points = [JointTrajectoryPoint(positions=[goal[JOINTS.index(name)] for name in names],
-                                               velocities=[0] * 6, time_from_start=rospy.Duration(duration))]
-        self.arm.publish(message)
-
-    def arrive(self, goal):
-        return self.wait("/joint_states", lambda m: numpy.abs(numpy.array(m.position[:6]) - goal).max() < 1e-9
-                         and numpy.abs(m.velocity).max() == 0)
-
-    def move(self, goal, duration):
-        self.heard["/joint_states"].clear()
-        self.send(goal, duration)
-        return self.arrive(goal)
-
-    def image_at_rest(self):
-        """The first image taken after now."""
-        after = self.now()
-        return self.wait("/camera/image_raw", lambda m: m.header.stamp.to_sec() > after)
 
 
 class TestWorkCell(unittest.TestCase):
@@ -323,13 +234,14 @@ class TestWorkCell(unittest.TestCase):
                 self.assertEqual(other.next("/camera/camera_info").width, 320)
                 told = other.next("/work_cell/truth")
                 self.check_images_at_rest_only(other)
+                self.check_grasp(other, told)
                 self.check_collision(other)
         self.assertNotEqual(pose_of(told), truth)
         self.assertEqual(told.collisions, 0)
         self.assertEqual([o.name for o in told.objects], [o["name"] for o in scene["objects"]])
         table = scene["table"]["pose"]
-        for is_, wanted in zip(told.objects, scene["objects"]):
-            position, turn = is_.pose.position, is_.pose.orientation
+        for seen, wanted in zip(told.objects, scene["objects"]):
+            position, turn = seen.pose.position, seen.pose.orientation
             expected = [table["x"] + wanted["pose"]["x"], table["y"] + wanted["pose"]["y"], table["z"]]
             numpy.testing.assert_allclose([position.x, position.y, position.z], expected, atol=1e-6)
             self.assertAlmostEqual(2 * numpy.arctan2(turn.z, turn.w), wanted["pose"].get("yaw", 0), places=6)
@@ -343,6 +255,45 @@ class TestWorkCell(unittest.TestCase):
         self.assertGreater((moving[-1] - moving[0]).to_sec(), 1.5)
         for image in cell.heard["/camera/image_raw"].messages:
             self.assertFalse(moving[0] < image.header.stamp < moving[-1])
+
+    def check_grasp(self, cell, told):
+        """A bridge is held across its 40 mm, lifted, let go and falls; the truth tells each."""
+        bridge = next(o for o in told.objects if o.label == "bridge_0")
+        base_from_bridge = eye_hand_scene.pose_matrix(bridge.pose)
+        down = numpy.array([[-1, 0, 0], [0, 1, 0], [0, 0, -1.0]])  # x, y, z of the hand in the bridge's frame
+        path, joints = [], eye_hand_scene.ABOVE
+        for height in numpy.linspace(0.15, 0.05, 11):
+            joints = joints_near(joints, base_from_bridge @ eye_hand_scene.transform(down, [0, 0, height]))
+            path.append(joints)
+        truth, gripper = cell.heard["/work_cell/truth"], cell.heard["/gripper/state"]
+
+        def truth_with(event):
+            return cell.wait("/work_cell/truth", lambda m: any(event in text for text in m.events))
+
+        self.assertIsNotNone(cell.move(path[0], 3))
+        self.assertIsNotNone(cell.follow(path, 0.1))
+        truth.clear()
+        gripper.clear()
+        cell.gripper.publish(Float64(0.02))
+        state = cell.wait("/gripper/state", lambda m: m.stalled)
+        self.assertIsNotNone(state)
+        self.assertAlmostEqual(state.width, 0.04, delta=0.002)
+        self.assertIsNotNone(truth_with("grasped: bridge_0"))
+        up = cell.follow(path[::-1], 0.1)
+        lifted = cell.wait("/work_cell/truth", lambda m: m.header.stamp > up.header.stamp)
+        held = next(o for o in lifted.objects if o.held)
+        self.assertEqual(held.label, "bridge_0")
+        self.assertAlmostEqual(held.pose.position.z, bridge.pose.position.z + 0.1, places=3)
+        self.assertEqual(lifted.collisions, 0)
+        truth.clear()
+        cell.gripper.publish(Float64(0.08))
+        self.assertIsNotNone(truth_with("released: bridge_0"))
+        rested = truth_with("rested: bridge_0")
+        self.assertIsNotNone(rested)
+        self.assertFalse(any(o.held or o.falling for o in rested.objects))
+        fallen = next(o for o in rested.objects if o.label == "bridge_0")
+        self.assertAlmostEqual(fallen.pose.position.z, bridge.pose.position.z, places=3)
+        self.assertIsNotNone(cell.move(LOOK, 2))
 
     def check_collision(self, cell):
         """The forearm through the table: counted, told in ~truth, logged."""
