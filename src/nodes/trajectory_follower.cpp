@@ -37,11 +37,11 @@ TrajectoryFollower::State TrajectoryFollower::fail(const std::string& reason) {
 
 void TrajectoryFollower::advance(double stamp, const JointVector& joints) {
   const double latest = std::min(trajectory_.duration(), stamp - start_ + kAhead);
-  double best = at_, least = apart(trajectory_.sample(at_).position, joints);
+  const auto off = [&](double t) { return (trajectory_.sample(t).position - joints).squaredNorm(); };
+  double best = at_, least = off(at_);
   for (double t = at_ + kStep; t < latest + kStep; t += kStep) {
     const double at = std::min(t, latest);
-    const double distance = apart(trajectory_.sample(at).position, joints);
-    if (distance < least) best = at, least = distance;
+    if (off(at) < least) best = at, least = off(at);
   }
   at_ = std::max(at_, best);
 }

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "nodes/planner_scene.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+const std::string kSource = MONOCULAR_EYE_HAND_SOURCE_DIR;
+
+PlannerScene makeScene() {
+  PlannerParameters parameters;
+  parameters.objects = kSource + "/config/objects.yaml";
+  parameters.boxes.resize(1);
+  parameters.boxes[0].name = "post";
+  parameters.boxes[0].size = {{0.1, 0.1, 0.1}};
+  return PlannerScene(loadArmDescription(kSource + "/urdf/puma560.urdf"), parameters);
+}
+
+SceneObject bridge(int instance, double x, double y) {
+  SceneObject object{"bridge", instance, {}};
+  object.base_from_object.translation = {x, y, 0.3};
+  return object;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(PlannerScene, HoldsWhatIsSeen) {
+  PlannerScene scene = makeScene();
+  EXPECT_EQ(scene.world({}).names(), (Names{"table", "post"}));
+  SceneObject unknown = bridge(0, 0.5, 0);
+  unknown.name = "teapot";
+  EXPECT_EQ(scene.see({bridge(0, 0.5, 0), bridge(1, 0.6, 0.1), unknown}), (Names{"teapot 0"}));
+  EXPECT_EQ(scene.world({}).names(), (Names{"table", "post", "bridge 0", "bridge 1"}));
+  scene.see({bridge(1, 0.6, 0.1)});
+  EXPECT_EQ(scene.world({}).names(), (Names{"table", "post", "bridge 1"}));
+  EXPECT_NE(scene.names().find("grenade"), std::string::npos);
+}
+
+TEST(PlannerScene, TheSubjectStandsWhereItIsSaidToStand) {
+  PlannerScene scene = makeScene();
+  // The same bridge under two numbers, and another one.
+  scene.see({bridge(0, 0.5, 0), bridge(1, 0.505, 0.002), bridge(2, 0.6, 0.1)});
+  const CollisionWorld world = scene.world(bridge(0, 0.51, 0));
+  EXPECT_EQ(world.names(), (Names{"table", "post", "bridge 0", "bridge 2"}));
+  EXPECT_EQ(world.pose("bridge 0").translation.x(), 0.51);
+}
+
+TEST(PlannerScene, RemembersWhatNobodySees) {
+  PlannerScene scene = makeScene();
+  scene.putDown(2, bridge(0, 0.4, 0.3));
+  EXPECT_EQ(scene.world({}).names(), (Names{"table", "post", "bridge at place 2"}));
+  scene.see({bridge(5, 0.41, 0.3)});
+  EXPECT_EQ(scene.world({}).names(), (Names{"table", "post", "bridge 5"})) << "seen: not twice";
+  scene.see({});
+  EXPECT_EQ(scene.world({}).pose("bridge at place 2").translation.x(), 0.41) << "as it was seen last";
+  EXPECT_EQ(scene.labels(bridge(0, 0.41, 0.3)), (Names{"bridge 0", "bridge at place 2"}));
+  EXPECT_EQ(scene.world(bridge(0, 0.41, 0.3)).names(), (Names{"table", "post", "bridge 0"}));
+  scene.takeAway(bridge(0, 0.8, 0.3));
+  EXPECT_EQ(scene.remembered(), 1u) << "that was another one";
+  scene.takeAway(bridge(0, 0.41, 0.3));
+  EXPECT_EQ(scene.remembered(), 0u);
+  scene.putDown(2, bridge(0, 0.4, 0.3));
+  scene.clearPlace(2);
+  EXPECT_EQ(scene.remembered(), 0u);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
