@@ -96,6 +96,20 @@ TEST(CameraInfo, RegionOfInterestShiftsThePrincipalPoint) {
   EXPECT_EQ(part.width, 400);
 }
 
+TEST(CameraInfo, KnowsTheSizeOfItsImage) {
+  sensor_msgs::CameraInfo info = goodInfo();
+  info.roi.x_offset = 100, info.roi.y_offset = 60, info.roi.width = 400, info.roi.height = 300;
+  info.binning_x = info.binning_y = 2;
+  const Camera camera = cameraFromInfo(info, ImageKind::kRaw);
+  const Camera expected = cameraFromInfo(info, ImageKind::kRaw, 200, 150);
+  EXPECT_EQ(camera.width, 200);
+  EXPECT_EQ(camera.height, 150);
+  EXPECT_EQ(camera.fx, expected.fx);
+  EXPECT_EQ(camera.cx, expected.cx);
+  info.width = 0;
+  EXPECT_THROW(cameraFromInfo(info, ImageKind::kRaw), BadCameraInfo);
+}
+
 TEST(CameraInfo, RegionAndBinningTogether) {
   sensor_msgs::CameraInfo info = goodInfo();
   info.roi.x_offset = 100, info.roi.y_offset = 60, info.roi.width = 400, info.roi.height = 300;

@@ -71,6 +71,23 @@ TEST(Markers, MeshAndLabel) {
   EXPECT_EQ(label.text, "bridge_4 0.88");
 }
 
+// Above is -y in an optical frame, and what the caller says in another.
+TEST(Markers, TextsStandAboveTheirObject) {
+  const ModelBase models = twoObjects();
+  const auto offset = [&](MarkerBuilder builder) {
+    const auto array = builder.build(header(), {seen(0)}, {0});
+    const Rigid3 pose = seen(0).camera_from_object;
+    const geometry_msgs::Point text = array.markers.at(1).pose.position;
+    return Eigen::Vector3d(Eigen::Vector3d(text.x, text.y, text.z) - pose * models.objects[0].model.centre());
+  };
+  const double above = 0.6 * models.objects[0].model.diameter;
+  EXPECT_LT((offset(MarkerBuilder(models, 100)) - Eigen::Vector3d(0, -above, 0)).norm(), 1e-12);
+  EXPECT_LT(
+      (offset(MarkerBuilder(models, 100, Eigen::Vector3d::UnitZ())) - Eigen::Vector3d(0, 0, above)).norm(),
+      1e-12);
+  EXPECT_GT(above, 0);
+}
+
 TEST(Markers, AmbiguousObjectsAreTranslucentAndSaySo) {
   const ModelBase models = twoObjects();
   MarkerBuilder builder(models, 100);
