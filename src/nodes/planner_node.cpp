@@ -3,6 +3,7 @@
 #include <visualization_msgs/Marker.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/conversion.h"
@@ -198,7 +199,10 @@ void PlannerNode::planningStatus(diagnostic_updater::DiagnosticStatusWrapper& st
   status.add("goals done", done_);
   status.add("goals not done", not_done_);
   status.add("held", held_);
-  status.add("objects known", known_);
+  char stamp[32] = "none yet";
+  if (objects_) std::snprintf(stamp, sizeof stamp, "%.3f", objects_->header.stamp.toSec());
+  status.add("stamp of the objects heard of [s]", stamp);
+  status.add("objects in the last plan", known_);
   status.add("objects put down and remembered", remembered_);
   status.add("planning time, last [s]", planning_time_);
   status.add("planning time, longest [s]", longest_planning_);

@@ -114,6 +114,19 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, con
   request.supports = {"table"};
   planned.kept.place = place;
   planned.kept.plan = planPick(arm_, world, request, parameters_.planning);
+  if (planned.kept.plan.outcome != PickOutcome::kNoPathToGrasp) return planned;
+  // Perhaps the arm was stopped in a narrow place.
+  for (const Departure& withdrawal :
+       planWithdrawals(arm_, world, joints, touching(world), parameters_.planning)) {
+    PickRequest later = request;
+    later.start = withdrawal.end;
+    const PickPlan plan = planPick(arm_, world, later, parameters_.planning);
+    if (!plan.planned()) continue;
+    planned.departure = withdrawal;
+    planned.kept.request = later;
+    planned.kept.plan = plan;
+    return planned;
+  }
   return planned;
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kStep = 5e-4;  // of any point of the arm between two tests of true shapes [m]
 constexpr double kLengths[] = {0.01, 0.02, 0.05, 0.1};  // of a straight way out [m]
+constexpr double kWithdrawals[] = {0.1, 0.05};          // out of a narrow place [m]
 constexpr double kTurns[] = {0.05, 0.1, 0.2};           // of a single joint [rad]
 
 void pad(CollisionWorld* world, double padding) {
@@ -33,6 +34,44 @@ bool lineFree(const PathTest& test, const std::vector<JointVector>& points) {
   return true;
 }
 
+std::vector<JointVector> straightWay(const ToolArm& arm, const JointVector& start,
+                                     const Eigen::Vector3d& motion, const PlanningOptions& options) {
+  Rigid3 goal = arm.baseFromTcp(start);
+  goal.translation += motion;
+  const CartesianPath line = cartesianPath(arm, start, goal, options.cartesian);
+  return line.found() ? line.points : std::vector<JointVector>();
+}
+
+Departure along(const ToolArm& arm, const std::vector<JointVector>& way, const PathTest& test, double padding,
+                const PlanningOptions& options) {
+  TimingOptions slow = options.timing;
+  slow.tool_speed = std::min(options.near_speed, slow.tool_speed);
+  Departure departure;
+  departure.possible = true;
+  departure.trajectory = timeParameterise(arm, way, test, slow);
+  departure.end = way.back();
+  departure.padding = padding;
+  return departure;
+}
+
+void requireStart(const ToolArm& arm, const JointVector& start) {
+  if (!start.allFinite()) throw BadInput("the start joints are not finite");
+  if (!arm.arm.withinLimits(start)) throw BadInput("the start joints are outside their limits");
+}
+
+CollisionWorld trueShapes(const CollisionWorld& world, const TouchingPairs& touching) {
+  CollisionWorld bare = world;
+  pad(&bare, 0);
+  for (const auto& pair : touching) bare.allow(pair.first, pair.second);
+  return bare;
+}
+
+PathTest testOfTrueShapes(const CollisionWorld& bare) {
+  PathTest test = testIn(bare);
+  test.padding = kStep / 2;
+  return test;
+}
+
 std::vector<std::vector<JointVector>> waysOut(const ToolArm& arm, const JointVector& start,
                                               const PlanningOptions& options) {
   std::vector<std::vector<JointVector>> ways;
@@ -41,10 +80,8 @@ std::vector<std::vector<JointVector>> waysOut(const ToolArm& arm, const JointVec
                         y = Eigen::Vector3d::UnitY(), back = -tcp.rotation.col(2);
   for (double length : kLengths)
     for (const Eigen::Vector3d& direction : {up, back, x, Eigen::Vector3d(-x), y, Eigen::Vector3d(-y)}) {
-      Rigid3 goal = tcp;
-      goal.translation += length * direction;
-      const CartesianPath line = cartesianPath(arm, start, goal, options.cartesian);
-      if (line.found()) ways.push_back(line.points);
+      std::vector<JointVector> way = straightWay(arm, start, length * direction, options);
+      if (!way.empty()) ways.push_back(std::move(way));
     }
   for (double turn : kTurns)
     for (int joint = 0; joint < 6; ++joint)
@@ -61,36 +98,49 @@ std::vector<std::vector<JointVector>> waysOut(const ToolArm& arm, const JointVec
 Departure planDeparture(const ToolArm& arm, const CollisionWorld& world, const JointVector& start,
                         const TouchingPairs& touching, const PlanningOptions& options) {
   options.check();
-  if (!start.allFinite()) throw BadInput("the start joints are not finite");
-  if (!arm.arm.withinLimits(start)) throw BadInput("the start joints are outside their limits");
+  requireStart(arm, start);
   Departure departure;
   departure.end = start;
   CollisionWorld padded = world;
   departure.padding = freePadding(&padded, start, options);
   if (departure.padding >= 0) return departure.possible = true, departure;
 
-  CollisionWorld bare = world;
-  pad(&bare, 0);
-  for (const auto& pair : touching) bare.allow(pair.first, pair.second);
+  const CollisionWorld bare = trueShapes(world, touching);
   if (!bare.valid(start)) {
     departure.reason = "start: " + describe(bare.firstCollision(start));
     return departure;
   }
-  PathTest test = testIn(bare);
-  test.padding = kStep / 2;
+  const PathTest test = testOfTrueShapes(bare);
   for (const std::vector<JointVector>& way : waysOut(arm, start, options)) {
     const double padding = freePadding(&padded, way.back(), options);
     if (padding < 0 || !lineFree(test, way)) continue;
-    TimingOptions slow = options.timing;
-    slow.tool_speed = std::min(options.near_speed, slow.tool_speed);
-    departure.trajectory = timeParameterise(arm, way, test, slow);
-    departure.end = way.back();
-    departure.padding = padding;
-    return departure.possible = true, departure;
+    return along(arm, way, test, padding, options);
   }
   pad(&padded, options.near_padding);
   departure.reason = "start: " + describe(padded.firstCollision(start)) + ", and no way leads away from it";
   return departure;
+}
+
+std::vector<Departure> planWithdrawals(const ToolArm& arm, const CollisionWorld& world,
+                                       const JointVector& start, const TouchingPairs& touching,
+                                       const PlanningOptions& options) {
+  options.check();
+  requireStart(arm, start);
+  const CollisionWorld bare = trueShapes(world, touching);
+  const PathTest test = testOfTrueShapes(bare);
+  CollisionWorld padded = world;
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ(), back = -arm.baseFromTcp(start).rotation.col(2);
+  std::vector<Departure> withdrawals;
+  for (const Eigen::Vector3d& direction : {up, back})
+    for (double length : kWithdrawals) {
+      const std::vector<JointVector> way = straightWay(arm, start, length * direction, options);
+      if (way.empty() || !bare.valid(start)) continue;
+      const double padding = freePadding(&padded, way.back(), options);
+      if (padding < 0 || !lineFree(test, way)) continue;
+      withdrawals.push_back(along(arm, way, test, padding, options));
+      break;
+    }
+  return withdrawals;
 }
 
 }  // namespace monocular_eye_hand

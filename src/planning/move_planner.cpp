@@ -20,22 +20,33 @@ class Mover {
   MovePlan run() {
     const Departure departure = planDeparture(arm_, world_, request_.start, request_.touching, options_);
     if (!departure.possible) return tell(MoveOutcome::kStartInCollision, departure.reason), plan_;
-    world_.setPadding(departure.padding);
-    world_.setCarriedPadding(departure.padding);
-    if (!departure.trajectory.points.empty()) plan_.motions.push_back(departure.trajectory);
-    for (size_t i = 0; i < request_.joints.size(); ++i)
-      if (reach({request_.joints[i]}, int(i), "the joint angles")) return plan_;
-    for (size_t i = 0; request_.joints.empty() && i < request_.base_from_tcp.size(); ++i) {
-      const std::string what = "pose " + std::to_string(i);
-      const auto goals = solutionsByTime(arm_, request_.base_from_tcp[i], departure.end, options_.candidates);
-      if (goals.empty()) tell(MoveOutcome::kUnreachable, what + ": out of reach or joint limits");
-      if (!goals.empty() && reach(goals, int(i), what)) return plan_;
-    }
-    plan_.motions.clear();
+    if (runFrom(departure) || plan_.outcome != MoveOutcome::kNoPath) return plan_;
+    for (const Departure& withdrawal :
+         planWithdrawals(arm_, world_, request_.start, request_.touching, options_))
+      if (runFrom(withdrawal)) return plan_;
     return plan_;
   }
 
  private:
+  bool runFrom(const Departure& departure) {
+    failed_searches_ = 0;
+    at_ = departure.end;
+    world_.setPadding(departure.padding);
+    world_.setCarriedPadding(departure.padding);
+    plan_.motions.clear();
+    if (!departure.trajectory.points.empty()) plan_.motions.push_back(departure.trajectory);
+    for (size_t i = 0; i < request_.joints.size(); ++i)
+      if (reach({request_.joints[i]}, int(i), "the joint angles")) return true;
+    for (size_t i = 0; request_.joints.empty() && i < request_.base_from_tcp.size(); ++i) {
+      const std::string what = "pose " + std::to_string(i);
+      const auto goals = solutionsByTime(arm_, request_.base_from_tcp[i], at_, options_.candidates);
+      if (goals.empty()) tell(MoveOutcome::kUnreachable, what + ": out of reach or joint limits");
+      if (!goals.empty() && reach(goals, int(i), what)) return true;
+    }
+    plan_.motions.clear();
+    return false;
+  }
+
   /// The failure that came furthest is told.
   void tell(MoveOutcome outcome, const std::string& reason) {
     if (!plan_.reason.empty() && outcome <= plan_.outcome) return;
@@ -44,8 +55,6 @@ class Mover {
   }
 
   bool reach(const std::vector<JointVector>& goals, int index, const std::string& what) {
-    const JointVector start =
-        plan_.motions.empty() ? request_.start : plan_.motions.back().points.back().position;
     std::vector<JointVector> free;
     for (const JointVector& goal : goals) {
       if (!arm_.arm.withinLimits(goal))
@@ -58,14 +67,14 @@ class Mover {
     if (free.empty() || failed_searches_ >= kSearches) return false;
     PathOptions options = options_.path;
     options.budget = std::max(1, options.budget / kSearches);
-    const JointPath path = planPath(arm_.arm.options().joints, start, free, testIn(world_), options);
+    const JointPath path = planPath(arm_.arm.options().joints, at_, free, testIn(world_), options);
     if (!path.found()) {
       ++failed_searches_;
       tell(MoveOutcome::kNoPath, what + ": no free path found in " + std::to_string(path.tests) +
                                      " tests (budget " + std::to_string(options.budget) + ")");
       return false;
     }
-    if ((path.points.back() - start).norm() > kThere)
+    if ((path.points.back() - at_).norm() > kThere)
       plan_.motions.push_back(timeParameterise(arm_, path.points, testIn(world_), options_.timing));
     plan_.outcome = MoveOutcome::kPlanned;
     plan_.reason.clear();
@@ -78,6 +87,7 @@ class Mover {
   const MoveRequest& request_;
   const PlanningOptions& options_;
   MovePlan plan_;
+  JointVector at_ = JointVector::Zero();  // where the free motion begins
   int failed_searches_ = 0;
 };
 

@@ -141,7 +141,13 @@ PickPlan planPlace(const ToolArm& arm, const CollisionWorld& world, const PlaceR
   CollisionWorld standing = world;
   standing.move(request.object, base_from_tcp * request.tcp_from_object);
   const PickRequest pick = pickBefore(request, base_from_tcp);
-  return Placer(arm, standing, pick, departure, options).run();
+  const PickPlan plan = Placer(arm, standing, pick, departure, options).run();
+  if (plan.outcome != PickOutcome::kNoPathToDrop) return plan;
+  for (const Departure& withdrawal : planWithdrawals(arm, held, request.start, touching, options)) {
+    const PickPlan later = Placer(arm, standing, pick, withdrawal, options).run();
+    if (later.planned()) return later;
+  }
+  return plan;
 }
 
 }  // namespace monocular_eye_hand

@@ -61,6 +61,32 @@ TEST(Place, LiftsFirstWhatStandsOnTheTable) {
   EXPECT_EQ(planPlace(toolArm(), sunk, unsupported).outcome, PickOutcome::kStartInCollision);
 }
 
+TEST(Place, WithdrawsFromANarrowPlace) {
+  // Just lifted, between posts as high as the arch: only up leads out, and no search finds that.
+  CollisionWorld world = demoWorld();
+  for (double x : {-0.075, 0.075})
+    for (double y : {-0.035, 0.035})
+      world.addBox("post " + std::to_string(x) + std::to_string(y), {0.02, 0.02, 0.05},
+                   at(0.50 + x, 0.045 + y, kTableTop + 0.025));
+  world.remove("bridge_1");
+  PlanningOptions options;
+  options.path.budget = 4000;
+  const PlaceRequest request = placeRequest(0.008);
+  const PickPlan plan = planPlace(toolArm(), world, request, options);
+  ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  ASSERT_EQ(plan.motions.size(), 4u);
+  EXPECT_EQ(plan.motions[0].stage, PickStage::kLift);
+  CollisionWorld held = world;
+  held.setGripperWidth(request.grip_width);
+  held.attach(request.object, request.tcp_from_object);
+  for (size_t i : {0, 1})
+    EXPECT_EQ(firstCollision(held, plan.motions[i].trajectory, PathOptions().resolution / 10).second, "");
+  const Eigen::Vector3d up =
+      toolArm().baseFromTcp(plan.motions[0].trajectory.points.back().position).translation -
+      toolArm().baseFromTcp(request.start).translation;
+  EXPECT_LT((up - Eigen::Vector3d(0, 0, 0.1)).norm(), 1e-6);
+}
+
 TEST(Place, SaysWhatIsInTheWay) {
   CollisionWorld full = demoWorld();
   full.addBox("crate", {0.3, 0.3, 0.2}, at(0.5, -0.48, kTableTop + 0.1));

@@ -25,6 +25,12 @@ struct Departure {
 Departure planDeparture(const ToolArm& arm, const CollisionWorld& world, const JointVector& start,
                         const TouchingPairs& touching, const PlanningOptions& options = {});
 
+/// Straight lines out of a narrow place, for an arm that may start where it is and finds no way from there:
+/// up and back along the hand, 0.1 m or half of that; those that are free. Throws as planDeparture().
+std::vector<Departure> planWithdrawals(const ToolArm& arm, const CollisionWorld& world,
+                                       const JointVector& start, const TouchingPairs& touching,
+                                       const PlanningOptions& options = {});
+
 struct MoveRequest {
   JointVector start = JointVector::Zero();
   std::vector<Rigid3> base_from_tcp;  ///< the first that can be reached is taken
@@ -46,7 +52,8 @@ struct MovePlan {
 };
 
 /// A free motion to the first of some goals that works; of failures the one that came furthest is told. The
-/// budget of options.path is shared by at most four searches. Throws BadInput without a goal, on joints or
+/// budget of options.path is shared by at most four searches; without a path it is tried again after each of
+/// planWithdrawals(). Throws BadInput without a goal, on joints or
 /// poses that are not finite, a start outside the joint limits, or options out of range.
 MovePlan planMove(const ToolArm& arm, const CollisionWorld& world, const MoveRequest& request,
                   const PlanningOptions& options = {});
@@ -61,7 +68,8 @@ struct PlaceRequest {
 };
 
 /// Plans to put down what is held: the last three motions of a pick, kCarry, kLower and kRetreat; before them
-/// a kLift when the arm has to leave something first. Throws BadInput as planPick() does.
+/// a kLift when the arm has to leave something first, or finds no path before it withdrew. Throws BadInput as
+/// planPick() does.
 PickPlan planPlace(const ToolArm& arm, const CollisionWorld& world, const PlaceRequest& request,
                    const PlanningOptions& options = {});
 
