@@ -131,9 +131,9 @@ void CellCamera::Impl::place(const WorkCell& cell) {
   const Eigen::Vector3d eye = cell.baseFromCamera().translation;
   std::vector<Rigid3> poses;
   std::vector<bool> seen;
-  for (const SceneObject& object : scene.scene.objects) {
-    poses.push_back(object.world_from_object);
-    seen.push_back(true);
+  for (size_t k = 0; k < scene.scene.objects.size(); ++k) {
+    poses.push_back(scene.scene.objects[k].world_from_object);
+    seen.push_back(!cell.takenAway(int(k)));
   }
   for (const ArmBody& body : arm_bodies) {
     poses.push_back(table_from_base * base_from_links[body.link]);

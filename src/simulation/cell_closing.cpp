@@ -35,23 +35,36 @@ bool CellGripper::push(int object, double along_y, const Rigid3& world_from_tcp,
 }
 
 CellGripper::Stop CellGripper::meet(int object, double next, const Rigid3& world_from_tcp,
-                                    const CellBodies& bodies, Outcome* outcome) const {
+                                    const CellBodies& bodies, Outcome* outcome) {
   const SceneObject& part = (*bodies.objects)[size_t(object)];
-  const Rigid3 tcp_from_object = world_from_tcp.inverse() * part.world_from_object;
+  Rigid3 tcp_from_object = world_from_tcp.inverse() * part.world_from_object;
+  if (object == give_to_) tcp_from_object.translation.y() += give_;
   const GripContact contact = gripContact(*part.mesh, tcp_from_object, pads_, width_ + kSkin);
   if (!contact.low.touched) return {0, ""};
   const double high = contact.high.y, low = contact.low.y;
+  double moved = 0;
+  // The part goes where the pads push it, or else the pads give way a little.
+  const auto yields = [&](double along_y) {
+    if (push(object, along_y, world_from_tcp, bodies, outcome)) return true;
+    const double given = object == give_to_ ? give_ : 0;
+    give_to_ = object, give_ = std::clamp(given + along_y, -compliance_, compliance_);
+    moved = give_ - given;
+    if (moved != along_y) return false;
+    outcome->jammed = -1;
+    return true;
+  };
   if (contact.width() >= next) {  // both pads
-    if (push(object, -(high + low) / 2, world_from_tcp, bodies, outcome))
+    if (yields(-(high + low) / 2))
       return {std::min(width_, contact.width()), gripWeakness(contact, friction_)};
   } else if (high > next / 2) {
-    if (push(object, next / 2 - high, world_from_tcp, bodies, outcome)) return {0, ""};
+    if (yields(next / 2 - high)) return {0, ""};
   } else if (low < -next / 2) {
-    if (push(object, -next / 2 - low, world_from_tcp, bodies, outcome)) return {0, ""};
+    if (yields(-next / 2 - low)) return {0, ""};
   } else {
     return {0, ""};
   }
-  return {std::min(width_, 2 * std::max(high, -low)), "the part cannot move, and only one pad meets it"};
+  return {std::min(width_, 2 * std::max(high + moved, -low - moved)),
+          "the part cannot move, and only one pad meets it"};
 }
 
 double CellGripper::close(double next, const Rigid3& world_from_tcp, const CellBodies& bodies,
@@ -78,11 +91,17 @@ double CellGripper::close(double next, const Rigid3& world_from_tcp, const CellB
   return stop.width;
 }
 
+void CellGripper::lose(int object) {
+  if (held_ == object) held_ = -1;
+  if (stalled_by_ == object) stalled_by_ = -1;
+  if (give_to_ == object) give_to_ = -1;
+}
+
 CellGripper::Outcome CellGripper::step(double dt, const Rigid3& world_from_tcp, const CellBodies& bodies) {
   Outcome outcome;
   const double before = width_;
   if (target_ > width_) {
-    stalled_by_ = -1;
+    stalled_by_ = give_to_ = -1;
     width_ = std::min(target_, width_ + speed_ * dt);
     if (held_ >= 0 && width_ - before > 0) {
       open_ += width_ - before;

@@ -18,8 +18,13 @@ struct CellBodies {
 /// The gripper's opening over time, and what stops it.
 class CellGripper {
  public:
-  CellGripper(const GripperPads& pads, double width, double speed, double friction)
-      : pads_(pads), width_(width), target_(width), speed_(speed), friction_(friction) {}
+  CellGripper(const GripperPads& pads, double width, double speed, double friction, double compliance)
+      : pads_(pads),
+        width_(width),
+        target_(width),
+        speed_(speed),
+        friction_(friction),
+        compliance_(compliance) {}
 
   void command(double width, double speed) { target_ = width, speed_ = speed; }
   struct Outcome {
@@ -29,6 +34,8 @@ class CellGripper {
     bool pushed = false;                            ///< some object was moved
   };
   Outcome step(double dt, const Rigid3& world_from_tcp, const CellBodies& bodies);
+  /// The object is between the pads no longer: they close on.
+  void lose(int object);
 
   double width() const { return width_; }
   double velocity() const { return velocity_; }
@@ -44,15 +51,17 @@ class CellGripper {
   };
   double close(double next, const Rigid3& world_from_tcp, const CellBodies& bodies, Outcome* outcome);
   Stop meet(int object, double next, const Rigid3& world_from_tcp, const CellBodies& bodies,
-            Outcome* outcome) const;
+            Outcome* outcome);
   bool push(int object, double along_y, const Rigid3& world_from_tcp, const CellBodies& bodies,
             Outcome* outcome) const;
 
   GripperPads pads_;
-  double width_, target_, speed_, friction_;
+  double width_, target_, speed_, friction_, compliance_;
   double velocity_ = 0;
   double open_ = 0;  // opened so far since the part was held
   int held_ = -1, stalled_by_ = -1;
+  int give_to_ = -1;  // object to which the pads give way ...
+  double give_ = 0;   // ... as if it had moved so far along y [m]
   Rigid3 tcp_from_held_;
 };
 

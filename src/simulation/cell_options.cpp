@@ -148,6 +148,7 @@ void CellOptions::check() const {
   require(in(start_width, 0, 1), "start_width", start_width, "must be 0..1 m");
   require(in(gripper_speed, 1e-3, 10), "gripper_speed", gripper_speed, "must be 0.001..10 m/s");
   require(in(friction, 0.01, 10), "friction", friction, "must be 0.01..10");
+  require(in(pad_compliance, 0, 0.01), "pad_compliance", pad_compliance, "must be 0..0.01 m");
   require(in(contact_tolerance, 0, 0.01), "contact_tolerance", contact_tolerance, "must be 0..0.01 m");
   require(in(step, 1e-4, 0.1), "step", step, "must be 0.0001..0.1 s");
   const double reach_x = std::abs(drop_zone.x) + drop_zone.length / 2,

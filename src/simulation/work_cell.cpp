@@ -24,6 +24,8 @@ std::vector<std::string> labelsOf(const std::vector<SceneObject>& objects) {
 
 JointVector startOf(const CellOptions& options) { return JointVector(options.start_joints.data()); }
 
+constexpr double kOutside = -1000;  // height of what was taken away: nothing meets it there [m]
+
 int64_t nanoseconds(double seconds) { return int64_t(std::llround(seconds * 1e9)); }
 
 }  // namespace
@@ -40,6 +42,8 @@ const char* name(CellEvent::Kind kind) {
       return "slipped";
     case CellEvent::Kind::kReleased:
       return "released";
+    case CellEvent::Kind::kTakenAway:
+      return "taken away";
     case CellEvent::Kind::kRested:
       break;
   }
@@ -55,13 +59,14 @@ struct WorkCell::Impl {
         floor_z(-cell.base_from_table.translation.z()),
         motion(limits, startOf(cell.options)),
         gripper(gripperPads(arm), checkedWidth(cell.options.start_width), cell.options.gripper_speed,
-                cell.options.friction),
+                cell.options.friction, cell.options.pad_compliance),
         solids(arm, cell.scene.objects, cell.options.table.thickness, cell.scene.table, floor_z,
                cell.options.contact_tolerance),
         labels(labelsOf(cell.scene.objects)),
         table_from_base(cell.base_from_table.inverse()),
         falls(cell.scene.objects.size()),
         absent(cell.scene.objects.size(), false),
+        taken_away(cell.scene.objects.size(), false),
         rests_on(cell.scene.objects.size(), kOnTable) {
     findSupports();
     placeArm();
@@ -91,6 +96,8 @@ struct WorkCell::Impl {
   bool moveGripper(double dt);
   void carry();
   void letFall(int object);
+  void leaveBehind(int support);
+  void takeAway(int object);
   bool moveFalling();
   void findCollisions();
   std::vector<int> carriedCollisions();
@@ -106,7 +113,8 @@ struct WorkCell::Impl {
   Rigid3 table_from_base;
   std::vector<Rigid3> base_from_links;
   std::vector<std::unique_ptr<Fall>> falls;  // null: does not fall
-  std::vector<bool> absent;                  // held or falling
+  std::vector<bool> absent;                  // held, falling or taken away
+  std::vector<bool> taken_away;
   std::vector<int> rests_on;
   std::vector<int> touched_at_grasp;  // what the held object stood against; until it is away from it
   std::set<std::pair<std::string, std::string>> in_collision;
@@ -165,9 +173,24 @@ void WorkCell::Impl::carry() {
       (next.translation - pose.translation).norm() > 1e-9 || (next.rotation - pose.rotation).norm() > 1e-9;
   pose = next;
   solids.placeObject(held, pose);
-  if (!moved) return;
-  for (size_t k = 0; k < rests_on.size(); ++k)  // what stood on it stays behind
-    if (rests_on[k] == held && !absent[k]) letFall(int(k));
+  if (moved) leaveBehind(held);
+}
+
+/// What stood on an object that is not there any more falls.
+void WorkCell::Impl::leaveBehind(int support) {
+  for (size_t k = 0; k < rests_on.size(); ++k)
+    if (rests_on[k] == support && !absent[k]) letFall(int(k));
+}
+
+void WorkCell::Impl::takeAway(int object) {
+  const size_t k = size_t(object);
+  gripper.lose(object);
+  falls[k].reset();
+  absent[k] = taken_away[k] = true;
+  cell.scene.objects[k].world_from_object.translation.z() = kOutside;
+  solids.placeObject(object, cell.scene.objects[k].world_from_object);
+  record(CellEvent::Kind::kTakenAway, labels[k]);
+  leaveBehind(object);
 }
 
 bool WorkCell::Impl::moveGripper(double dt) {
@@ -281,6 +304,18 @@ void WorkCell::commandGripper(double width, double speed) {
   if (!std::isfinite(speed)) throw BadInput("gripper speed must be finite");
   impl_->gripper.command(impl_->checkedWidth(width), speed > 0 ? speed : impl_->cell.options.gripper_speed);
 }
+void WorkCell::takeAway(const std::string& label) {
+  std::string there;
+  for (size_t k = 0; k < impl_->labels.size(); ++k) {
+    if (impl_->taken_away[k]) continue;
+    if (impl_->labels[k] == label) return impl_->takeAway(int(k));
+    there += (there.empty() ? "" : ", ") + impl_->labels[k];
+  }
+  throw BadInput("no object \"" + label + "\" is in the cell (" + there + ")");
+}
+
+bool WorkCell::takenAway(int object) const { return impl_->taken_away.at(size_t(object)); }
+
 const JointVector& WorkCell::joints() const { return impl_->motion.positions(); }
 const JointVector& WorkCell::velocities() const { return impl_->motion.velocities(); }
 bool WorkCell::armMoving() const { return impl_->motion.moving(); }
@@ -309,7 +344,7 @@ std::vector<CellTruth> WorkCell::truth() const {
   for (size_t k = 0; k < impl_->labels.size(); ++k) {
     const SceneObject& object = impl_->cell.scene.objects[k];
     out.push_back({impl_->labels[k], object.name, object.model, impl_->cell.baseFromObject(int(k)),
-                   heldObject() == int(k), impl_->falls[k] != nullptr});
+                   heldObject() == int(k), impl_->falls[k] != nullptr, impl_->taken_away[k]});
   }
   return out;
 }

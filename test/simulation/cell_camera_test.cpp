@@ -110,3 +110,22 @@ TEST(CellCamera, RefusesAnotherCell) {
   EXPECT_THROW(CellCamera(cell, 1).capture(other), BadInput);
   EXPECT_THROW(CellCamera(cell, -1), BadInput);
 }
+
+TEST(CellCamera, DoesNotShowWhatWasTakenAway) {
+  WorkCell cell = makeCell(looking());
+  CellCamera camera(cell);
+  const CellImage before = camera.capture(cell);
+  cell.takeAway(cell.label(1));
+  const CellImage after = camera.capture(cell);
+  EXPECT_GT(cv::countNonZero(before.ids == 1), 500);
+  EXPECT_EQ(cv::countNonZero(after.ids == 1), 0);
+  cell.takeAway(cell.label(2));
+  cell.takeAway(cell.label(3));
+  CellOptions alone = looking();
+  alone.objects.resize(1);
+  const WorkCell frame = makeCell(alone);
+  const CellImage expected = CellCamera(frame).capture(frame);
+  cv::Mat difference;
+  cv::absdiff(camera.capture(cell).grey, expected.grey, difference);
+  EXPECT_LT(cv::mean(difference)[0], 3);  // but for noise: no shadow is left either
+}

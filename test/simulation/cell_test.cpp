@@ -90,6 +90,18 @@ TEST(Cell, AFixedPartIsNotPushedAndNotHeld) {
   EXPECT_EQ(countOf(cell, CellEvent::Kind::kSlipped), 1) << eventsOf(cell);
 }
 
+TEST(Cell, ThePadsGiveWayALittleToAPartThatCannotMove) {
+  CellOptions options = oneBridge();
+  options.objects[0].fixed = true;
+  for (const double aside : {0.0003, 0.002}) {
+    WorkCell cell = makeCell(options);
+    grip(&cell, aside);
+    EXPECT_EQ(cell.heldObject(), aside < options.pad_compliance ? 0 : -1) << eventsOf(cell);
+    EXPECT_TRUE(cell.gripperStalled());
+    EXPECT_EQ(cell.collisions(), 0) << eventsOf(cell);
+  }
+}
+
 TEST(Cell, EdgesBetweenThePadsAreNotHeld) {
   // A block turned by 45 degrees: the pads meet two opposite edges only.
   auto models = partMeshes();
@@ -172,4 +184,41 @@ TEST(Cell, RefusesWhatItCannotDo) {
   CellOptions far = oneBridge();
   far.start_joints[0] = 6;
   EXPECT_THROW(makeCell(far), BadInput);
+}
+
+TEST(Cell, WhatIsTakenAwayIsNotThereAnyMore) {
+  CellOptions options = oneBridge();
+  options.objects.push_back(options.objects[0]);
+  options.objects[1].pose.z = 0.055;  // on top of the other one
+  WorkCell cell = makeCell(options);
+  cell.takeAway("bridge_0");
+  EXPECT_TRUE(cell.takenAway(0));
+  EXPECT_FALSE(cell.takenAway(1));
+  EXPECT_TRUE(cell.truth()[0].taken_away);
+  EXPECT_EQ(cell.events().back().kind, CellEvent::Kind::kTakenAway);
+  EXPECT_TRUE(cell.truth()[1].falling);
+  cell.advance(1);
+  EXPECT_FALSE(cell.truth()[1].falling);
+  EXPECT_EQ(cell.events().back().second, "table") << eventsOf(cell);
+  cell.takeAway("bridge_1");
+  grip(&cell);
+  EXPECT_EQ(cell.heldObject(), -1);
+  EXPECT_FALSE(cell.gripperStalled());
+  EXPECT_FALSE(cell.inDropZone(0));
+  EXPECT_EQ(cell.collisions(), 0) << eventsOf(cell);
+  EXPECT_THROW(cell.takeAway("bridge_0"), BadInput);
+  EXPECT_THROW(cell.takeAway("bridge"), BadInput);
+}
+
+TEST(Cell, WhatIsTakenOutOfTheGripperLetsItClose) {
+  WorkCell cell = makeCell(oneBridge());
+  grip(&cell);
+  ASSERT_EQ(cell.heldObject(), 0) << eventsOf(cell);
+  cell.takeAway("bridge_0");
+  EXPECT_EQ(cell.heldObject(), -1);
+  EXPECT_FALSE(cell.truth()[0].held);
+  EXPECT_TRUE(cell.gripperMoving());
+  cell.advance(1);
+  EXPECT_FALSE(cell.gripperStalled());
+  EXPECT_NEAR(cell.gripperWidth(), 0.01, 1e-12);
 }

@@ -19,6 +19,7 @@ struct CellEvent {
     kGrasped,    ///< the gripper holds `first`
     kSlipped,    ///< the pads met `first` and do not hold it; `text` says why
     kReleased,   ///< `first` was let go
+    kTakenAway,  ///< `first` is not in the cell any more
     kRested      ///< `first` came to rest on `second`
   };
   Kind kind = Kind::kCollision;
@@ -35,6 +36,7 @@ struct CellTruth {
   int model = -1;
   Rigid3 base_from_object;
   bool held = false, falling = false;
+  bool taken_away = false;  ///< its pose then means nothing
 };
 
 /// The cell without hardware: arm, gripper and objects in cell time. The arm follows its path exactly within
@@ -57,6 +59,11 @@ class WorkCell {
   /// Moves the pads to this opening at CellOptions::gripper_speed, or `speed` when it is positive. Throws
   /// BadInput when the opening is not within 0..gripper_width_max.
   void commandGripper(double width, double speed = 0);
+
+  /// Somebody takes an object out of the cell, out of the gripper too; what stood on it falls. It keeps its
+  /// index and does not come back. Throws BadInput when no object in the cell has this label.
+  void takeAway(const std::string& label);
+  bool takenAway(int object) const;
 
   const JointVector& joints() const;
   const JointVector& velocities() const;

@@ -157,9 +157,10 @@ struct CellOptions {
   double start_width = 0.06;                               ///< of the gripper [m]
   double gripper_speed = 0.1;                              ///< change of the opening [m/s]
   double friction = 0.5;                                   ///< of the finger pads, Coulomb
-  double contact_tolerance = 0.001;                        ///< deeper penetration is a collision [m]
-  double step = 0.005;                                     ///< of the simulation [s]
-  int seed = 1;                                            ///< of the camera's noise
+  double pad_compliance = 5e-4;      ///< a pad gives way by so much to a part that cannot move [m]
+  double contact_tolerance = 0.001;  ///< deeper penetration is a collision [m]
+  double step = 0.005;               ///< of the simulation [s]
+  int seed = 1;                      ///< of the camera's noise
 
   CellOptions();
   void check() const;
@@ -168,7 +169,8 @@ struct CellOptions {
     v("table", table), v("lights", lights), v("ambient", ambient), v("background", background),
         v("camera", camera), v("drop_zone", drop_zone), v("objects", objects), v("random", random),
         v("start_joints", start_joints), v("start_width", start_width), v("gripper_speed", gripper_speed),
-        v("friction", friction), v("contact_tolerance", contact_tolerance), v("step", step), v("seed", seed);
+        v("friction", friction), v("pad_compliance", pad_compliance),
+        v("contact_tolerance", contact_tolerance), v("step", step), v("seed", seed);
   }
 };
 
