@@ -49,7 +49,8 @@ WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   const GripperState gripper = driver_.gripper();
   if (held_ && !lost(gripper).empty()) held_.reset();
   const bool drops = held_ && goal.open_gripper;
-  CollisionWorld world = scene_.world(held_ ? std::optional<SceneObject>(held_->object) : std::nullopt);
+  CollisionWorld world = scene_.world(held_ ? std::optional<SceneObject>(held_->object) : std::nullopt, -1,
+                                      inHand(request.start));
   double opening = gripper.width;
   if (held_ && !drops) {
     world.attach(held_->object.label(), held_->tcp_from_object);

@@ -92,8 +92,7 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, con
                                                   int place) {
   PlannedPick planned;
   const JointVector joints = start();
-  scene_.clearPlace(place);
-  CollisionWorld world = scene_.world(object);
+  CollisionWorld world = scene_.world(object, place);
   planned.refused = sweep(world, joints, driver_.gripper().width, target.open_width);
   if (!planned.refused.empty()) {
     planned.refused = "opening the gripper where it stands: " + planned.refused;
@@ -182,7 +181,8 @@ bool PlannerWork::keptFits(int place, const JointVector& joints) const {
   const KeptPlan& kept = *held_->kept;
   const JointVector begin = kept.plan.motions[3].trajectory.points.front().position;
   if ((joints - begin).cwiseAbs().maxCoeff() > parameters_.execution.start_tolerance) return false;
-  const std::vector<CollisionWorld> worlds = worldsOf(scene_.world(held_->object), kept.request, kept.plan);
+  const std::vector<CollisionWorld> worlds =
+      worldsOf(scene_.world(held_->object, place, inHand(joints)), kept.request, kept.plan);
   for (size_t i = 3; i < kept.plan.motions.size(); ++i)
     if (!firstCollision(worlds[i], kept.plan.motions[i].trajectory, kRecheck).first.empty()) return false;
   return true;
@@ -199,7 +199,7 @@ PickPlan PlannerWork::planThePlace(int place, const JointVector& joints) const {
   request.drops = dropTargets(
       places_[size_t(place)], footprintOf(scene_.mesh(held_->object.name), held_->object.base_from_object),
       held_->target.base_from_tcp_grasp, parameters_.drop_gap, parameters_.drop_above);
-  return planPlace(arm_, scene_.world(held_->object), request, parameters_.planning);
+  return planPlace(arm_, scene_.world(held_->object, place, inHand(joints)), request, parameters_.planning);
 }
 
 WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
@@ -216,7 +216,6 @@ WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   watch.say("plan", 0);
   const ros::WallTime begin = ros::WallTime::now();
   const JointVector joints = start();
-  scene_.clearPlace(goal.place);
   PickPlan plan;
   if (keptFits(goal.place, joints)) {
     plan = held_->kept->plan;

@@ -86,16 +86,21 @@ std::vector<std::string> PlannerScene::see(const std::vector<SceneObject>& objec
   return unknown;
 }
 
-CollisionWorld PlannerScene::world(const std::optional<SceneObject>& subject) const {
+CollisionWorld PlannerScene::world(const std::optional<SceneObject>& subject, int free_place,
+                                   const std::optional<SceneObject>& in_hand) const {
   CollisionWorld world = bare_;
   const auto add = [&](const std::string& label, const SceneObject& object) {
     if (!world.has(label)) world.addMesh(label, mesh(object.name), object.base_from_object);
   };
   if (subject) add(subject->label(), *subject);
+  const auto is_subject = [&](const SceneObject& object) {
+    return (subject && (object.label() == subject->label() || same(object, *subject))) ||
+           (in_hand && object.name == in_hand->name && standsAt(object, *in_hand));
+  };
   for (const SceneObject& object : seen_)
-    if (!subject || (object.label() != subject->label() && !same(object, *subject)))
-      add(object.label(), object);
+    if (!is_subject(object)) add(object.label(), object);
   for (const auto& entry : placed_) {
+    if (entry.first == free_place) continue;
     const SceneObject& object = entry.second;
     const auto here = [&](const SceneObject& other) { return standsAt(other, object); };
     if (std::any_of(seen_.begin(), seen_.end(), here) || (subject && here(*subject))) continue;

@@ -34,15 +34,15 @@ class PlannerScene {
   const std::vector<SceneObject>& seen() const { return seen_; }
 
   /// Everything, with `subject` (about to be grasped, or held) at its own pose instead of wherever else it is
-  /// known to be. Nothing is carried.
-  CollisionWorld world(const std::optional<SceneObject>& subject) const;
+  /// known to be. Nothing is carried. `free_place`: the caller says that this place is free; only what is
+  /// seen there counts. `in_hand`: the subject as it is held now, which the camera may see there.
+  CollisionWorld world(const std::optional<SceneObject>& subject, int free_place = -1,
+                       const std::optional<SceneObject>& in_hand = std::nullopt) const;
 
   /// All names that the world may have for an object that stands there.
   std::vector<std::string> labels(const SceneObject& object) const;
-  /// The object stands at that place of the drop zone from now on.
+  /// The object stands at that place of the drop zone from now on, and nothing else does.
   void putDown(int place, const SceneObject& object);
-  /// Nothing is remembered of the place any more.
-  void clearPlace(int place) { placed_.erase(place); }
   /// The object was taken from where it stood.
   void takeAway(const SceneObject& object);
   size_t remembered() const { return placed_.size(); }

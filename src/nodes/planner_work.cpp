@@ -113,6 +113,14 @@ std::string PlannerWork::lost(const GripperState& state) const {
   return text.str();
 }
 
+/// The held object as the hand has it at these joints.
+std::optional<SceneObject> PlannerWork::inHand(const JointVector& joints) const {
+  if (!held_) return std::nullopt;
+  SceneObject object = held_->object;
+  object.base_from_object = arm_.baseFromTcp(joints) * held_->tcp_from_object;
+  return object;
+}
+
 DriveWatch PlannerWork::driveWatch(const WorkWatch& watch, const std::string& stage, bool holding) const {
   DriveWatch drive;
   drive.cancelled = watch.cancelled;

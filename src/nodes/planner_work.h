@@ -89,6 +89,7 @@ class PlannerWork {
   WorkResult drivePlace(int place, const std::vector<PickMotion>& motions, const WorkWatch& watch);
   WorkResult driveMove(const MovePlan& plan, double opening, const WorkWatch& watch);
   std::string lost(const GripperState& state) const;
+  std::optional<SceneObject> inHand(const JointVector& joints) const;
   DriveWatch driveWatch(const WorkWatch& watch, const std::string& stage, bool holding) const;
 
   const PlannerParameters parameters_;

@@ -61,9 +61,29 @@ TEST(PlannerScene, RemembersWhatNobodySees) {
   EXPECT_EQ(scene.remembered(), 1u) << "that was another one";
   scene.takeAway(bridge(0, 0.41, 0.3));
   EXPECT_EQ(scene.remembered(), 0u);
+}
+
+TEST(PlannerScene, APlaceThatIsSaidToBeFree) {
+  PlannerScene scene = makeScene();
   scene.putDown(2, bridge(0, 0.4, 0.3));
-  scene.clearPlace(2);
-  EXPECT_EQ(scene.remembered(), 0u);
+  EXPECT_EQ(scene.world(bridge(1, 0.5, 0), 2).names(), (Names{"table", "post", "bridge 1"}));
+  EXPECT_EQ(scene.world(bridge(1, 0.5, 0), 1).names(),
+            (Names{"table", "post", "bridge 1", "bridge at place 2"}));
+  scene.see({bridge(4, 0.4, 0.3)});
+  EXPECT_EQ(scene.world(bridge(1, 0.5, 0), 2).names(), (Names{"table", "post", "bridge 1", "bridge 4"}))
+      << "somebody sees that it is not";
+}
+
+TEST(PlannerScene, WhatTheCameraSeesInTheHandIsNoObstacle) {
+  PlannerScene scene = makeScene();
+  SceneObject lifted = bridge(0, 0.5, 0);
+  lifted.base_from_object.translation.z() += 0.1;
+  SceneObject ghost = lifted;
+  ghost.instance = 3;
+  ghost.base_from_object.translation.x() += 0.01;
+  scene.see({ghost, bridge(1, 0.6, 0.1)});
+  EXPECT_EQ(scene.world(bridge(0, 0.5, 0), 0, lifted).names(),
+            (Names{"table", "post", "bridge 0", "bridge 1"}));
 }
 
 }  // namespace
