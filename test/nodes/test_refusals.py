@@ -59,6 +59,18 @@ class TestRefusals(unittest.TestCase):
         base = self.write("typo.yaml", "objects:\n  - {name: thing, mehs: empty.stl, unit: mm}\n")
         self.refused("recognizer", ["_objects:=" + base, "_cache:=none"], "mehs")
 
+    def test_planner(self):
+        objects = "_objects:=" + self.cube
+        package = rospkg.RosPack().get_path("monocular_eye_hand")
+        urdf = "_urdf:=" + package + "/urdf/puma560.urdf"
+        self.refused("planner", [urdf], "objects is not set")
+        self.refused("planner", [objects], "urdf is not set")
+        self.refused("planner", [objects, urdf, "_drop_zone/colums:=2"],
+                     "unknown key 'drop_zone.colums'; did you mean 'drop_zone.columns'?")
+        self.refused("planner", [objects, urdf, "_table/length:=-1.0"], "length = -1")
+        self.refused("planner", [objects, urdf, "_arm/a2:=0.5"], "tool0")
+        self.refused("planner", [objects, "_urdf:=" + self.folder + "/none.urdf"], self.folder + "/none.urdf")
+
     def test_image_source(self):
         source = "_source:=" + self.image
         self.refused("image_source", [], "source is not set")
