@@ -32,7 +32,8 @@ constexpr char kGripperCommand[] = "gripper/command";
 constexpr char kGripperState[] = "gripper/state";
 constexpr char kCellImage[] = "camera/image_raw";
 constexpr char kCellCameraInfo[] = "camera/camera_info";
-constexpr char kTruth[] = "truth";  // ~truth
+constexpr char kTruth[] = "truth";         // ~truth
+constexpr char kTakeAway[] = "take_away";  // ~take_away
 
 // Frames and joints of urdf/puma560.urdf.
 constexpr char kBaseFrame[] = "base_link";

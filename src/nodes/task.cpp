@@ -27,24 +27,36 @@ class TaskNode {
  private:
   bool stopped() { return server_.isPreemptRequested() || !ros::ok(); }
 
+  /// What a stopped task left in the gripper is no part of the new one. No reason: nothing is there any more.
+  TaskResult emptyHand() {
+    TaskResult result;
+    const TaskPick placed = world_.emptyHand();
+    if (placed.outcome == TaskPickOutcome::kDone) return result;
+    if (placed.outcome == TaskPickOutcome::kCancelled) result.outcome = TaskOutcome::kCancelled;
+    result.reason = "the gripper is not empty, and what it holds cannot be put down: " + placed.reason;
+    return result;
+  }
+
   void run(const ClearFrameGoal& goal) {
     const ros::Time begin = ros::Time::now();
     TaskResult result;
     try {
       ClearFrameOptions options = parameters_.clear_frame;
       if (!goal.frame.empty()) options.frame = goal.frame;
-      world_.restart();
       ClearFrameTask task(
           &models_, &world_, options, [this] { return stopped(); },
           [this](const TaskFeedback& feedback) {
             ROS_INFO("%s %s: %s", name(feedback.stage), feedback.object.c_str(), feedback.text.c_str());
             server_.publishFeedback(toMessage(feedback));
           });
-      result = task.run();
+      world_.restart(interrupted_);
+      result = emptyHand();
+      if (result.reason.empty()) result = task.run();
     } catch (const BadInput& e) {
       result.outcome = TaskOutcome::kFault;
       result.reason = e.what();
     }
+    interrupted_ = result.outcome == TaskOutcome::kCancelled || result.outcome == TaskOutcome::kFault;
     const ClearFrameResult message =
         toMessage(result, parameters_.base_frame, (ros::Time::now() - begin).toSec());
     ROS_INFO("%s: %s", name(result.outcome), result.reason.c_str());
@@ -59,6 +71,7 @@ class TaskNode {
   const ModelBase& models_;
   const TaskParameters parameters_;
   RosTaskWorld world_;
+  bool interrupted_ = false;                                // the last task: what it carried counts on
   actionlib::SimpleActionServer<ClearFrameAction> server_;  // last: its thread ends before the world goes
 };
 

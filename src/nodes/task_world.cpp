@@ -5,12 +5,12 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/conversion.h"
+#include "nodes/names.h"
 #include "nodes/task_messages.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-const char kObjects[] = "eye_hand/objects";
 const char kGraspTargets[] = "eye_hand/grasp_targets";
 const char kForget[] = "eye_hand/forget";
 const char kPick[] = "planner/pick";
@@ -92,9 +92,11 @@ RosTaskWorld::RosTaskWorld(const ModelBase* models, const TaskParameters& parame
       place_client_(kPlace, false),
       move_(kMove, false) {
   requireSameArm(description_, arm_);
-  objects_subscriber_ = node_.subscribe(kObjects, 10, &RosTaskWorld::objectsCallback, this);
-  gripper_subscriber_ = node_.subscribe("gripper/state", 10, &RosTaskWorld::gripperCallback, this);
-  joints_subscriber_ = node_.subscribe("joint_states", 10, &RosTaskWorld::jointsCallback, this);
+  objects_subscriber_ = node_.subscribe(names::kLocatedObjects, 10, &RosTaskWorld::objectsCallback, this);
+  recognized_subscriber_ =
+      node_.subscribe(names::kRecognizedObjects, 10, &RosTaskWorld::recognizedCallback, this);
+  gripper_subscriber_ = node_.subscribe(names::kGripperState, 10, &RosTaskWorld::gripperCallback, this);
+  joints_subscriber_ = node_.subscribe(names::kJointStates, 10, &RosTaskWorld::jointsCallback, this);
   grasp_targets_ = node_.serviceClient<GraspTargets>(kGraspTargets);
   forget_ = node_.serviceClient<ForgetObject>(kForget);
 }
@@ -103,6 +105,11 @@ void RosTaskWorld::objectsCallback(const LocatedObjectArray& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   view_ = message;
   new_view_.notify_all();
+}
+
+void RosTaskWorld::recognizedCallback(const RecognizedObjectArray& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  recognized_ = message.header.stamp;
 }
 
 void RosTaskWorld::gripperCallback(const GripperState& message) {
@@ -127,10 +134,16 @@ void RosTaskWorld::jointsCallback(const sensor_msgs::JointState& message) {
 }
 
 std::optional<JointVector> RosTaskWorld::joints() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!joints_ || ros::WallTime::now() - joints_at_ > ros::WallDuration(parameters_.state_max_age))
-    return std::nullopt;
-  return joints_;
+  const ros::WallTime begin = ros::WallTime::now();
+  do {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (joints_ && ros::WallTime::now() - joints_at_ < ros::WallDuration(parameters_.state_max_age))
+        return joints_;
+    }
+    kPoll.sleep();
+  } while (!cancelled_() && ros::WallTime::now() - begin < ros::WallDuration(parameters_.answer_timeout));
+  return std::nullopt;
 }
 
 Eigen::Vector3d RosTaskWorld::lookTarget(const TaskView& view) const {
@@ -160,7 +173,7 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
     return look;
   }
   MoveGoal goal;
-  goal.link = "camera_optical_frame";
+  goal.link = names::kCameraFrame;
   for (const Rigid3& pose : poses) goal.poses.push_back(toPose(pose));
   const TaskPick moved = move(goal);
   if (moved.outcome != TaskPickOutcome::kDone) {
@@ -168,6 +181,20 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
     return look;
   }
   return waitForView(ros::Time::now() + ros::Duration(parameters_.settle));
+}
+
+std::string RosTaskWorld::silence(const ros::Time& after) const {
+  const std::string recognized = recognized_subscriber_.getTopic(), located = objects_subscriber_.getTopic();
+  std::string who;
+  if (recognized_subscriber_.getNumPublishers() == 0)
+    who = "nobody publishes " + recognized + ": is the node recognizer running?";
+  else if (recognized_ < after)
+    who = recognized + " is silent: does the camera send images to the recognizer?";
+  else if (objects_subscriber_.getNumPublishers() == 0)
+    who = "nobody publishes " + located + ": is the node eye_hand running?";
+  else
+    who = located + " is silent, though the recognizer is not: look at the node eye_hand";
+  return "no view within look_timeout = " + std::to_string(parameters_.look_timeout) + " s; " + who;
 }
 
 TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
@@ -185,10 +212,7 @@ TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
       return look;
     }
     if (ros::WallTime::now() - begin > ros::WallDuration(parameters_.look_timeout)) {
-      look.reason = refused.empty() ? "no view on eye_hand/objects within look_timeout = " +
-                                          std::to_string(parameters_.look_timeout) +
-                                          " s: do camera, recognizer and eye_hand run?"
-                                    : "eye_hand refuses the views: " + refused;
+      look.reason = refused.empty() ? silence(after) : "eye_hand refuses the views: " + refused;
       return look;
     }
     new_view_.wait_for(lock, std::chrono::milliseconds(50));
@@ -199,13 +223,23 @@ TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
   return look;
 }
 
+/// In wall time: the clock may stand.
+bool RosTaskWorld::waitFor(ros::ServiceClient* service) const {
+  const ros::WallTime begin = ros::WallTime::now();
+  while (!service->exists()) {
+    if (cancelled_() || ros::WallTime::now() - begin > ros::WallDuration(parameters_.answer_timeout))
+      return false;
+    kPoll.sleep();
+  }
+  return true;
+}
+
 GraspPlan RosTaskWorld::graspTargets(const MappedObject& object) {
   GraspPlan plan;
   GraspTargets call;
   call.request.name = object.name;
   call.request.instance = object.number;
-  if (!grasp_targets_.waitForExistence(ros::Duration(parameters_.answer_timeout)) ||
-      !grasp_targets_.call(call))
+  if (!waitFor(&grasp_targets_) || !grasp_targets_.call(call))
     throw BadInput(std::string("the service ") + kGraspTargets +
                    " does not answer: is the node eye_hand running?");
   targets_ = call.response.targets;
@@ -245,15 +279,24 @@ TaskGrip RosTaskWorld::grip() {
 
 TaskPick RosTaskWorld::carry(const MappedObject& object, int place) {
   PlaceGoal goal;
-  goal.place = place;
+  goal.place = first_place_ + place;
   TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
   if (placed.outcome != TaskPickOutcome::kDone) return placed;
-  place_ = place + 1;
+  place_ = goal.place + 1;
   ForgetObject call;
   call.request.name = object.name;
   call.request.instance = object.number;
-  if (!forget_.call(call))
-    return {TaskPickOutcome::kFault, std::string("the service ") + kForget + " does not answer"};
+  // It is carried out all the same; the next look finds out whether eye_hand is there.
+  if (!waitFor(&forget_) || !forget_.call(call)) ROS_WARN("the service %s does not answer", kForget);
+  return placed;
+}
+
+TaskPick RosTaskWorld::emptyHand() {
+  if (!grip().holding) return {TaskPickOutcome::kDone, ""};
+  PlaceGoal goal;
+  goal.place = place_;
+  const TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
+  if (placed.outcome == TaskPickOutcome::kDone) first_place_ = ++place_;
   return placed;
 }
 

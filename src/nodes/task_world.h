@@ -7,6 +7,7 @@
 #include <monocular_eye_hand/MoveAction.h>
 #include <monocular_eye_hand/PickAction.h>
 #include <monocular_eye_hand/PlaceAction.h>
+#include <monocular_eye_hand/RecognizedObjectArray.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 
@@ -39,16 +40,24 @@ class RosTaskWorld : public TaskWorld {
   TaskPick carry(const MappedObject& object, int place) override;
   TaskPick open() override;
 
-  /// A new task begins: places of the drop zone are counted from 0 again.
-  void restart() { place_ = 0; }
+  /// A new task begins. Places of the drop zone are counted from 0 again, or with `go_on` where the last task
+  /// ended: what it carried still lies there.
+  void restart(bool go_on) { first_place_ = place_ = go_on ? place_ : 0; }
+  /// Puts down in the drop zone what the gripper holds since a task was stopped. kDone as well when it holds
+  /// nothing.
+  TaskPick emptyHand();
 
  private:
   void objectsCallback(const LocatedObjectArray& message);
+  void recognizedCallback(const RecognizedObjectArray& message);
   void gripperCallback(const GripperState& message);
   void jointsCallback(const sensor_msgs::JointState& message);
   std::optional<JointVector> joints() const;
+  bool waitFor(ros::ServiceClient* service) const;
   Eigen::Vector3d lookTarget(const TaskView& view) const;
   TaskLook waitForView(const ros::Time& after);
+  std::string silence(
+      const ros::Time& after) const;  // who in the chain of eyes says nothing; with mutex_ held
   TaskPick move(const MoveGoal& goal);
 
   const ModelBase* models_;
@@ -56,10 +65,10 @@ class RosTaskWorld : public TaskWorld {
   const std::function<bool()> cancelled_;
   const Puma560 arm_;
   const ArmDescription description_;
-  int place_ = 0;
+  int first_place_ = 0, place_ = 0;  // of this task, next; in the drop zone
 
   ros::NodeHandle node_;
-  ros::Subscriber objects_subscriber_, gripper_subscriber_, joints_subscriber_;
+  ros::Subscriber objects_subscriber_, recognized_subscriber_, gripper_subscriber_, joints_subscriber_;
   ros::ServiceClient grasp_targets_, forget_;
   actionlib::SimpleActionClient<PickAction> pick_;
   actionlib::SimpleActionClient<PlaceAction> place_client_;
@@ -68,6 +77,7 @@ class RosTaskWorld : public TaskWorld {
   mutable std::mutex mutex_;
   std::condition_variable new_view_;
   std::optional<LocatedObjectArray> view_;
+  ros::Time recognized_;  // stamp of the last image that was recognised
   std::optional<GripperState> gripper_;
   std::optional<JointVector> joints_;
   ros::WallTime gripper_at_, joints_at_;

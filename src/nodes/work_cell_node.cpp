@@ -42,6 +42,8 @@ WorkCellNode::WorkCellNode(WorkCell cell, const WorkCellParameters& parameters)
   cell_.advance(kFirstTime);
   trajectory_subscriber_ = node_.subscribe(names::kArmCommand, 10, &WorkCellNode::onTrajectory, this);
   width_subscriber_ = node_.subscribe(names::kGripperCommand, 10, &WorkCellNode::onWidth, this);
+  take_away_subscriber_ =
+      ros::NodeHandle("~").subscribe(names::kTakeAway, 10, &WorkCellNode::onTakeAway, this);
 }
 
 int64_t WorkCellNode::now() const { return nanoseconds(cell_.time()); }
@@ -110,6 +112,14 @@ void WorkCellNode::onWidth(const std_msgs::Float64& message) {
     cell_.commandGripper(message.data);
   } catch (const BadInput& e) {
     ROS_ERROR("%s refused: %s", width_subscriber_.getTopic().c_str(), e.what());
+  }
+}
+
+void WorkCellNode::onTakeAway(const std_msgs::String& message) {
+  try {
+    cell_.takeAway(message.data);
+  } catch (const BadInput& e) {
+    ROS_ERROR("%s refused: %s", take_away_subscriber_.getTopic().c_str(), e.what());
   }
 }
 

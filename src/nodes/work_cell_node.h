@@ -1,6 +1,7 @@
 #pragma once
 #include <ros/ros.h>
 #include <std_msgs/Float64.h>
+#include <std_msgs/String.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <cstdint>
@@ -45,6 +46,7 @@ class WorkCellNode {
   bool moving() const;  ///< arm, gripper or an object
   void onTrajectory(const trajectory_msgs::JointTrajectory& message);
   void onWidth(const std_msgs::Float64& message);
+  void onTakeAway(const std_msgs::String& message);
 
   const bool images_in_motion_;
   WorkCell cell_;
@@ -53,7 +55,7 @@ class WorkCellNode {
   Instants joint_instants_, camera_instants_, truth_instants_;
   std::optional<ArmCommand> waiting_;  // its start is still to come
   ros::NodeHandle node_;
-  ros::Subscriber trajectory_subscriber_, width_subscriber_;
+  ros::Subscriber trajectory_subscriber_, width_subscriber_, take_away_subscriber_;
 };
 
 }  // namespace monocular_eye_hand

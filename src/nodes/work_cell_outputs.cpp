@@ -120,6 +120,7 @@ void WorkCellOutputs::truth() {
   message.header = header(names::kBaseFrame);
   const std::vector<CellTruth> objects = cell_.truth();
   for (size_t k = 0; k < objects.size(); ++k) {
+    if (objects[k].taken_away) continue;
     WorkCellObject object;
     object.label = objects[k].label;
     object.name = objects[k].name;
