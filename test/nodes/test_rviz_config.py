@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The rviz configuration shows what the node publishes: topics, display types, the launch file's frame."""
+"""The rviz configurations show what the nodes publish: topics, display types, the launch files' frames."""
 import os
 import re
 import sys
@@ -16,19 +16,13 @@ def read(*path):
         return file.read()
 
 
-class TestRvizConfig(unittest.TestCase):
-    def setUp(self):
-        self.config = yaml.safe_load(read("rviz", "recognize.rviz"))["Visualization Manager"]
+class Config(unittest.TestCase):
+    def load(self, name):
+        self.config = yaml.safe_load(read("rviz", name))["Visualization Manager"]
         self.displays = {display["Class"]: display for display in self.config["Displays"]}
         self.names = dict(re.findall(r'constexpr char k(\w+)\[\] = "(\w+)"', read("src", "nodes", "names.h")))
 
-    def test_shows_overlay_frames_and_meshes(self):
-        self.assertEqual(self.displays["rviz/Image"]["Image Topic"], "/recognizer/" + self.names["Overlay"])
-        self.assertEqual(self.displays["rviz/MarkerArray"]["Marker Topic"], "/recognizer/" + self.names["Markers"])
-        for kind in ("rviz/Image", "rviz/MarkerArray", "rviz/TF"):
-            self.assertTrue(self.displays[kind]["Enabled"], kind)
-
-    def test_every_class_is_one_of_rviz(self):
+    def check_classes(self):
         description = "/usr/share/rviz/plugin_description.xml"
         if not os.path.exists(description):
             self.skipTest("rviz's plugin description is not at " + description)
@@ -37,6 +31,20 @@ class TestRvizConfig(unittest.TestCase):
         used.add(self.config["Views"]["Current"]["Class"])
         self.assertEqual(used - known, set())
 
+
+class TestRvizConfig(Config):
+    def setUp(self):
+        self.load("recognize.rviz")
+
+    def test_shows_overlay_frames_and_meshes(self):
+        self.assertEqual(self.displays["rviz/Image"]["Image Topic"], "/recognizer/" + self.names["Overlay"])
+        self.assertEqual(self.displays["rviz/MarkerArray"]["Marker Topic"], "/recognizer/" + self.names["Markers"])
+        for kind in ("rviz/Image", "rviz/MarkerArray", "rviz/TF"):
+            self.assertTrue(self.displays[kind]["Enabled"], kind)
+
+    def test_every_class_is_one_of_rviz(self):
+        self.check_classes()
+
     def test_launch_file_names_the_frame_and_topics(self):
         launch = xml.etree.ElementTree.fromstring(read("launch", "rviz.launch"))
         rviz = next(node for node in launch.iter("node") if node.get("pkg") == "rviz")
@@ -44,6 +52,32 @@ class TestRvizConfig(unittest.TestCase):
         remapped = {remap.get("from") for remap in rviz.iter("remap")}
         self.assertIn(self.displays["rviz/Image"]["Image Topic"], remapped)
         self.assertIn(self.displays["rviz/MarkerArray"]["Marker Topic"], remapped)
+
+
+class TestDemoConfig(Config):
+    def setUp(self):
+        self.load("demo.rviz")
+
+    def test_every_class_is_one_of_rviz(self):
+        self.check_classes()
+
+    def test_shows_arm_overlay_frames_grasps_and_path(self):
+        self.assertEqual(self.displays["rviz/RobotModel"]["Robot Description"], "robot_description")
+        self.assertEqual(self.displays["rviz/Image"]["Image Topic"], "/recognizer/" + self.names["Overlay"])
+        self.assertIn("rviz/TF", self.displays)
+        shown = {d["Marker Topic"]: d["Class"] for d in self.config["Displays"] if "Marker Topic" in d}
+        for node, name, file in (("recognizer", "Markers", "outputs.cpp"), ("eye_hand", "Markers", "eye_hand_outputs.cpp"),
+                                 ("planner", "Path", "planner_node.cpp")):
+            kind = re.search(r"advertise<visualization_msgs::(\w+)>\(names::k%s," % name, read("src", "nodes", file)).group(1)
+            self.assertEqual(shown["/%s/%s" % (node, self.names[name])], "rviz/" + kind)
+
+    def test_frames_and_topics_are_those_of_the_launch_file(self):
+        names = read("src", "nodes", "names.h")
+        frame = self.config["Global Options"]["Fixed Frame"]
+        self.assertIn('kBaseFrame[] = "%s"' % frame, names)
+        launch = xml.etree.ElementTree.fromstring(read("launch", "demo.launch"))
+        rviz = next(node for node in launch.iter("node") if node.get("pkg") == "rviz")
+        self.assertIn("demo.rviz", rviz.get("args"))
 
 
 if __name__ == "__main__":
