@@ -10,6 +10,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr int kRolls = 12;
+constexpr int kDirections = 5;         // then from the first one again
 constexpr double kJointWeight = 0.25;  // of a joint's way against the departure from the wished direction
 constexpr double kMinWrist = 0.05;     // |sin q5|: nearer to the singularity the arm cannot move on
 
@@ -27,9 +28,9 @@ int alternating(int i) { return i % 2 ? (i + 1) / 2 : -i / 2; }
 Wish wishOf(const TaskView& view, const Eigen::Vector3d& target, const CameraViewOptions& o) {
   const double towards_robot = std::atan2(-target.y(), -target.x());
   if (!view.near)
-    return {towards_robot + alternating(view.overview) * o.overview_turn, o.overview_elevation,
+    return {towards_robot + alternating(view.direction % kDirections) * o.overview_turn, o.overview_elevation,
             o.overview_distance};
-  return {towards_robot + alternating(view.approach) * o.near_turn, o.near_elevation,
+  return {towards_robot + alternating(view.direction % kDirections) * o.near_turn, o.near_elevation,
           std::max(o.nearest, o.near_distance - view.approach * o.near_step)};
 }
 

@@ -74,6 +74,7 @@ void ClearFrameTask::lookAround() {
   }
   TaskView view;
   view.overview = overview_;
+  view.direction = direction_ + overview_;
   const int views = result_.rounds == 1 ? options_.overviews : options_.overviews_again;
   tell("overview " + std::to_string(overview_ + 1) + " of " + std::to_string(views));
   TaskLook seen;
@@ -98,6 +99,7 @@ bool ClearFrameTask::look(const TaskView& view, TaskLook* seen) {
     return false;
   }
   failed_looks_ = 0;
+  last_look_ = seen->stamp;
   learn(*seen);
   return true;
 }
@@ -141,11 +143,19 @@ void ClearFrameTask::confirm() {
   Progress& progress = progress_[key];
   const MappedObject* object = known(key);
   if (!object) return startRound();
+  if (sure(key)) {
+    prepareGrasps(*object);
+    if (!candidates_.empty()) {
+      stage_ = TaskStage::kPick;
+      return;
+    }
+  }
   TaskView view;
   view.overview = -1;
   view.near = true;
   view.object = *object;
   view.approach = progress.near_looks;
+  view.direction = direction_ + progress.near_looks;
   tell("a look from near");
   TaskLook seen;
   if (!look(view, &seen)) return;
@@ -162,16 +172,13 @@ void ClearFrameTask::confirm() {
     doubt = "it is not in the frame any more";
   if (!doubt.empty()) {
     tell(doubt);
+    ++direction_;  // what one direction shows wrongly another may show right
     if (++progress.unconfirmed >= options_.confirm_attempts) giveUp(key, doubt);
     return startRound();
   }
   progress.unconfirmed = 0;
   progress.blocked.clear();
-  const GraspPlan plan = world_->graspTargets(*object);
-  std::vector<GraspCandidate> with_room;
-  for (const GraspCandidate& c : plan.candidates)
-    if (c.clearance() >= 0) with_room.push_back(c);
-  candidates_ = variedFirst(with_room, options_.candidates);
+  const GraspPlan plan = prepareGrasps(*object);
   if (!candidates_.empty()) {
     stage_ = TaskStage::kPick;
     return;
@@ -185,6 +192,22 @@ void ClearFrameTask::confirm() {
                   ? std::to_string(progress.near_looks) + " looks from near, and still: " + progress.blocked
                   : progress.blocked);
   stage_ = TaskStage::kChoose;
+}
+
+// Several views agree on it, the last look among them, and no grasp of it was lost.
+bool ClearFrameTask::sure(const Key& key) {
+  const MappedObject* object = known(key);
+  return object && object->views >= options_.confirm_views && object->outliers == 0 &&
+         object->last_stamp >= last_look_ && inFrame(*object) && entry(key).picks == 0;
+}
+
+GraspPlan ClearFrameTask::prepareGrasps(const MappedObject& object) {
+  GraspPlan plan = world_->graspTargets(object);
+  std::vector<GraspCandidate> with_room;
+  for (const GraspCandidate& c : plan.candidates)
+    if (c.clearance() >= 0) with_room.push_back(c);
+  candidates_ = variedFirst(with_room, options_.candidates);
+  return plan;
 }
 
 void ClearFrameTask::pick() {

@@ -32,14 +32,14 @@ class CameraViews : public testing::Test {
 
 TaskView overview(int i) {
   TaskView view;
-  view.overview = i;
+  view.overview = view.direction = i;
   return view;
 }
 
 TaskView nearLook(int approach) {
   TaskView view;
   view.near = true;
-  view.approach = approach;
+  view.approach = view.direction = approach;
   return view;
 }
 

@@ -17,6 +17,7 @@ struct ClearFrameOptions {
   int overviews = 2;            ///< views of the whole frame in the first round
   int overviews_again = 1;      ///< the same in every further round
   int look_attempts = 3;        ///< a view that fails so often in a row ends the task
+  int confirm_views = 2;        ///< an object that so many views agree on is picked without a near look
   int near_looks = 3;           ///< per object and round, until its pose is sure enough
   int confirm_attempts = 2;     ///< near looks that do not show an object before it is given up
   int pick_attempts = 3;        ///< lost grasps of one object before it is given up
@@ -28,7 +29,8 @@ struct ClearFrameOptions {
   void visit(Visitor&& v) {
     v("frame", frame), v("frame_margin", frame_margin), v("overviews", overviews);
     v("overviews_again", overviews_again);
-    v("look_attempts", look_attempts), v("near_looks", near_looks), v("confirm_attempts", confirm_attempts);
+    v("look_attempts", look_attempts), v("confirm_views", confirm_views), v("near_looks", near_looks),
+        v("confirm_attempts", confirm_attempts);
     v("pick_attempts", pick_attempts), v("candidates", candidates), v("most_rounds", most_rounds);
   }
 };
@@ -81,8 +83,9 @@ struct TaskResult {
 /// Clears the frame: look, choose, confirm from near, pick, verify, carry, look again, until no known object
 /// is left in the frame. A plain state machine: no threads, no clock; every retry is bounded.
 ///
-/// Nothing is picked that the last near look did not show, that contradicted what was known, or whose pose is
-/// too uncertain for the gripper: then it looks again from nearer, and in the end says why not.
+/// Nothing is picked that the last look did not show, on which fewer than confirm_views views agree and no
+/// near look, or whose pose is too uncertain for the gripper: then it looks from nearer, and in the end says
+/// why not.
 class ClearFrameTask {
  public:
   /// Keeps the pointers. `cancelled` is asked before every stage. Throws BadInput on an option out of range
@@ -108,6 +111,8 @@ class ClearFrameTask {
   void lookAround();
   void choose();
   void confirm();
+  bool sure(const Key& key);
+  GraspPlan prepareGrasps(const MappedObject& object);  // fills candidates_
   void pick();
   void verify();
   void carry();
@@ -143,6 +148,8 @@ class ClearFrameTask {
   std::optional<Key> chosen_;
   std::vector<GraspCandidate> candidates_;
   int overview_ = 0, failed_looks_ = 0, carried_ = 0;
+  int direction_ = 0;      // goes on when a direction has shown something wrong
+  double last_look_ = -1;  // its stamp [s]
 };
 
 }  // namespace monocular_eye_hand

@@ -9,7 +9,8 @@ namespace monocular_eye_hand {
 
 /// Where to look from.
 struct TaskView {
-  int overview = 0;     ///< >= 0: the so-many-th view of the whole frame, from 0
+  int overview = 0;     ///< >= 0: the so-many-th view of the whole frame in this round, from 0
+  int direction = 0;    ///< from where: another number is another direction
   bool near = false;    ///< true: at `object`, nearer with every `approach`
   MappedObject object;  ///< near: what to look at
   int approach = 0;     ///< near: 0, 1, 2, ...
