@@ -202,7 +202,7 @@ bool EyeHandNode::onForget(ForgetObject::Request& request, ForgetObject::Respons
     response.text = "no object is named '" + request.name + "'; known: " + models_.names();
     return true;
   }
-  response.forgotten = map_.forget(object, request.instance);
+  response.forgotten = map_.forget(object, request.instance, ros::Time::now());
   if (response.forgotten == 0)
     response.text = "no " + (request.name.empty() ? "object" : which) + " is known";
   else

@@ -9,7 +9,11 @@ SharedMap::SharedMap(const ModelBase& models, const ObjectMapOptions& options, c
 
 ViewReport SharedMap::add(const ObjectView& view, const ros::Time& stamp) {
   std::lock_guard<std::mutex> lock(mutex_);
-  const ViewReport report = map_.add(view);
+  ViewReport report;
+  if (stamp < not_before_)
+    report.refused = "the view is older than the last ~forget";
+  else
+    report = map_.add(view);
   refused_ = report.refused;
   if (!report.refused.empty()) return report;
   stamp_ = stamp;
@@ -38,17 +42,19 @@ KnownObjects SharedMap::known() const {
   return known;
 }
 
-int SharedMap::forget(int object, int instance) {
+int SharedMap::forget(int object, int instance, const ros::Time& now) {
   std::lock_guard<std::mutex> lock(mutex_);
   if (object < 0) {
     const int all = int(map_.objects().size());
     map_.clear();  // the stamps of views may start again, too
+    not_before_ = ros::Time();
     return all;
   }
   int forgotten = 0;
   for (const MappedObject& known : map_.objects())
     if (known.object == object && (instance < 0 || known.number == instance))
       forgotten += map_.forget(known.object, known.number);
+  if (forgotten > 0) not_before_ = now;
   return forgotten;
 }
 
@@ -56,7 +62,7 @@ void SharedMap::clear() {
   std::lock_guard<std::mutex> lock(mutex_);
   map_.clear();
   stamps_.clear();
-  stamp_ = ros::Time();
+  stamp_ = not_before_ = ros::Time();
 }
 
 }  // namespace monocular_eye_hand

@@ -162,7 +162,7 @@ void ClearFrameTask::confirm() {
   ++progress.near_looks;
   ++entry(key).near_looks;
   object = known(key);
-  if (!object) return startRound();  // learn() noted that it is gone
+  if (!object) return doubted();  // learn() noted that it is gone
   std::string doubt;
   if (object->outliers > 0)
     doubt = "a look from near contradicted its pose";
@@ -172,9 +172,8 @@ void ClearFrameTask::confirm() {
     doubt = "it is not in the frame any more";
   if (!doubt.empty()) {
     tell(doubt);
-    ++direction_;  // what one direction shows wrongly another may show right
     if (++progress.unconfirmed >= options_.confirm_attempts) giveUp(key, doubt);
-    return startRound();
+    return doubted();
   }
   progress.unconfirmed = 0;
   progress.blocked.clear();
@@ -191,6 +190,15 @@ void ClearFrameTask::confirm() {
   giveUp(key, plan.too_uncertain
                   ? std::to_string(progress.near_looks) + " looks from near, and still: " + progress.blocked
                   : progress.blocked);
+  stage_ = TaskStage::kChoose;
+}
+
+// What one direction shows wrongly another may show right. The near look may have shown something else there:
+// that is looked at first.
+void ClearFrameTask::doubted() {
+  ++direction_;
+  if (waiting().empty() || ++doubts_ > options_.near_looks) return startRound();
+  chosen_.reset();
   stage_ = TaskStage::kChoose;
 }
 
@@ -312,7 +320,7 @@ void ClearFrameTask::giveUp(const Key& key, const std::string& reason) {
 
 void ClearFrameTask::startRound() {
   chosen_.reset();
-  overview_ = 0;
+  overview_ = doubts_ = 0;
   for (auto& [key, progress] : progress_) progress.near_looks = 0;
   stage_ = TaskStage::kLook;
 }

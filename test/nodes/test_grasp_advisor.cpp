@@ -189,9 +189,13 @@ TEST(SharedMapTest, StampsAreKeptToTheNanosecond) {
   EXPECT_EQ(known.stamp, second);
   EXPECT_NE(map.add(view, second).refused, "");
   EXPECT_NE(map.known().refused, "");
-  EXPECT_EQ(map.forget(bridge.object, 0), 1);
-  EXPECT_EQ(map.forget(bridge.object, 0), 0);
-  EXPECT_EQ(map.forget(-1, -1), 1);
+  const ros::Time forgotten(1700000003, 0), late(1700000002, 0);
+  EXPECT_EQ(map.forget(bridge.object, 0, forgotten), 1);
+  EXPECT_EQ(map.forget(bridge.object, 0, forgotten), 0);
+  view.stamp = late.toSec();
+  EXPECT_NE(map.add(view, late).refused, "") << "taken before it was carried away";
+  view.stamp = second.toSec();
+  EXPECT_EQ(map.forget(-1, -1, forgotten), 1);
   EXPECT_EQ(map.add(view, second).refused, "");  // stamps may start again
   map.clear();
   EXPECT_TRUE(map.known().stamp.isZero());

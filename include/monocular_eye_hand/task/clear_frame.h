@@ -111,6 +111,7 @@ class ClearFrameTask {
   void lookAround();
   void choose();
   void confirm();
+  void doubted();
   bool sure(const Key& key);
   GraspPlan prepareGrasps(const MappedObject& object);  // fills candidates_
   void pick();
@@ -148,6 +149,7 @@ class ClearFrameTask {
   std::optional<Key> chosen_;
   std::vector<GraspCandidate> candidates_;
   int overview_ = 0, failed_looks_ = 0, carried_ = 0;
+  int doubts_ = 0;         // near looks of this round that showed something else
   int direction_ = 0;      // goes on when a direction has shown something wrong
   double last_look_ = -1;  // its stamp [s]
 };
