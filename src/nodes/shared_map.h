@@ -31,8 +31,8 @@ class SharedMap {
   void refuse(const std::string& reason);
   KnownObjects known() const;
   /// Takes objects out and returns how many: all of a name with `instance` -1; with `object` -1 everything,
-  /// numbers and the stamp that the next view must be newer than, too. Views from before `now` are refused from
-  /// then on: they would bring back what was carried away.
+  /// numbers and the stamp that the next view must be newer than, too. Views from before `now` are refused
+  /// from then on: they would bring back what was carried away.
   int forget(int object, int instance, const ros::Time& now);
   /// Time starts again.
   void clear();
