@@ -17,6 +17,7 @@ const char kPick[] = "planner/pick";
 const char kPlace[] = "planner/place";
 const char kMove[] = "planner/move";
 const ros::WallDuration kPoll(0.05);
+constexpr int kRefusedViews = 3;  // in a row: waiting on helps no more
 
 // One function reads all results: the planner's outcomes have the same numbers in Pick, Place and Move.
 constexpr bool same(int a, int b, int c) { return a == b && b == c; }
@@ -200,18 +201,23 @@ std::string RosTaskWorld::silence(const ros::Time& after) const {
 TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
   TaskLook look;
   std::string refused;
+  int refusals = 0;
+  ros::Time last;
   const ros::WallTime begin = ros::WallTime::now();
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
     if (view_ && view_->header.stamp >= after) {
       if (view_->refused.empty()) break;
       refused = view_->refused;
+      if (view_->header.stamp != last) ++refusals;
+      last = view_->header.stamp;
     }
     if (cancelled_()) {
       look.reason = "cancelled";
       return look;
     }
-    if (ros::WallTime::now() - begin > ros::WallDuration(parameters_.look_timeout)) {
+    if (refusals == kRefusedViews ||
+        ros::WallTime::now() - begin > ros::WallDuration(parameters_.look_timeout)) {
       look.reason = refused.empty() ? silence(after) : "eye_hand refuses the views: " + refused;
       return look;
     }

@@ -13,7 +13,7 @@ import tf2_ros
 import yaml
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import Image
-from std_msgs.msg import Float64
+from std_msgs.msg import Float64, String
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
@@ -143,6 +143,11 @@ class TestWorkCell(unittest.TestCase):
         refused(cell.arm, wall, "use_sim_time")
         for width in (-0.01, 0.2, float("nan")):
             refused(cell.gripper, Float64(width), "gripper width")
+        take_away = rospy.Publisher("/work_cell/take_away", String, queue_size=10)
+        while take_away.get_num_connections() == 0:
+            time.sleep(0.01)
+        refused(take_away, String("spoon_0"), 'no object "spoon_0" is in the cell (frame_0, ')
+        take_away.unregister()
         self.assertTrue(cell.process.running())
         numpy.testing.assert_array_equal(cell.joints(), before)
 
