@@ -287,7 +287,11 @@ TaskPick RosTaskWorld::carry(const MappedObject& object, int place) {
   PlaceGoal goal;
   goal.place = first_place_ + place;
   TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
-  if (placed.outcome != TaskPickOutcome::kDone) return placed;
+  if (placed.outcome != TaskPickOutcome::kDone) {
+    const TaskGrip left = grip();
+    if (left.known && !left.holding) place_ = goal.place + 1;  // stopped after it let go: it may lie there
+    return placed;
+  }
   place_ = goal.place + 1;
   ForgetObject call;
   call.request.name = object.name;

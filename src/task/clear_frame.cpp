@@ -253,7 +253,13 @@ void ClearFrameTask::pick() {
 // Cancelled or broken in the middle of a motion: only asks what the gripper holds.
 void ClearFrameTask::stopped(const TaskPick& result) {
   const TaskGrip grip = world_->grip();
-  if (grip.known && grip.holding) entry(*chosen_).outcome = ObjectOutcome::kHeld;
+  TaskObject& object = entry(*chosen_);
+  if (grip.known && grip.holding) {
+    object.outcome = ObjectOutcome::kHeld;
+  } else if (grip.known && object.outcome == ObjectOutcome::kHeld) {
+    object.outcome = ObjectOutcome::kDropped;
+    object.reason = "the gripper had let it go when it was stopped";
+  }
   const bool cancelled = result.outcome == TaskPickOutcome::kCancelled;
   finish(cancelled ? TaskOutcome::kCancelled : TaskOutcome::kFault,
          std::string(name(stage_)) + " of " + label(entry(*chosen_).object) + ": " + result.reason);

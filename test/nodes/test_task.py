@@ -15,7 +15,7 @@ from monocular_eye_hand.msg import (ClearedObject, ClearFrameResult, PickActionF
                                     WorkCellTruth)
 
 SEED = 5
-AFTER = {"look": {"look", "choose", "done"}, "choose": {"confirm", "look", "done"},
+AFTER = {"look": {"look", "choose", "done"}, "choose": {"confirm", "pick", "look", "done"},
          "confirm": {"confirm", "pick", "choose", "look", "done"}, "pick": {"pick", "verify", "choose", "look", "done"},
          "verify": {"carry", "look", "done"}, "carry": {"look", "done"}, "done": set()}
 
@@ -30,7 +30,8 @@ class TestTask(unittest.TestCase):
         cls.witness = task_process.Witness()
         cls.addClassCleanup(cls.witness.close)
         cls.goals = task_process.Goals()
-        cls.demo = node_process.launch("demo.launch", ["cell:=" + cell, "seed:=%d" % SEED])
+        cls.demo = node_process.launch("demo.launch", ["cell:=" + cell, "seed:=%d" % SEED,
+                                                      "real_time_factor:=1"])  # time to cancel in a motion
         cls.addClassCleanup(cls.demo.stop)
         if not cls.goals.ready() or cls.witness.truth() is None:
             raise RuntimeError("the demo does not start: " + cls.demo.text())
@@ -86,7 +87,7 @@ class TestTask(unittest.TestCase):
         carried = [o for o in result.objects if o.outcome == ClearedObject.CARRIED]
         self.assertEqual(len(carried), 1, said)
         self.assertIn(carried[0].object.name, [o.name for o in parts])
-        self.assertGreaterEqual(carried[0].near_looks, 1)
+        self.assertGreaterEqual(carried[0].picks, 1)
         self.assertEqual(carried[0].object.header.frame_id, "base_link")
         self.assertGreaterEqual(result.rounds, 2)  # the last one found nothing more
         self.assertGreater(result.duration, 0)
@@ -94,9 +95,11 @@ class TestTask(unittest.TestCase):
         self.assertEqual((stages[0], stages[-1]), ("look", "done"))
         for before, after in zip(stages, stages[1:]):
             self.assertIn(after, AFTER[before] | {before}, said)
-        done = [stage for k, stage in enumerate(stages) if k == 0 or stage != stages[k - 1]]
-        carry = done.index("carry")
-        self.assertEqual(done[carry - 4:carry + 2], ["choose", "confirm", "pick", "verify", "carry", "look"], said)
+        # Whether a look from near is needed depends on what the others showed.
+        stages = [stage for stage in stages if stage != "confirm"]
+        stages = [stage for k, stage in enumerate(stages) if k == 0 or stage != stages[k - 1]]
+        carry = stages.index("carry")
+        self.assertEqual(stages[carry - 3:carry + 2], ["choose", "pick", "verify", "carry", "look"], said)
         last = self.goals.feedback.messages[-1]
         self.assertEqual((last.carried, last.left, last.text), (1, 0, result.reason))
 
