@@ -95,8 +95,16 @@ ViewReport ObjectMap::add(const ObjectView& view) {
       decision.reason = "no known " + object.name + " is there";
     }
   }
+  findRivals();
   countMisses(view, met, &report);
   for (Track& track : tracks_) publish(&track);
+  believe();
+  for (ViewDecision& decision : report.decisions)
+    for (const Track& track : tracks_)
+      if (track.key() == Key(decision.object, decision.number) && track.yields_to)
+        decision.reason += "; not told, since " +
+                           models_->objects[size_t(track.yields_to->first)].model.name + " " +
+                           std::to_string(track.yields_to->second) + " is there";
   return report;
 }
 
@@ -284,19 +292,29 @@ void ObjectMap::publish(Track* track) const {
   object.outliers = int(track->outliers.size());
 }
 
+// A rival hides nothing: only one of the two is there.
+bool ObjectMap::expected(const Track& track, const ObjectView& view) const {
+  std::vector<PlacedModel> placed{{&model(track.object.object), track.merged.base_from_object}};
+  for (const Track& other : tracks_) {
+    const bool rival = std::find(track.rivals.begin(), track.rivals.end(), other.key()) != track.rivals.end();
+    if (&other != &track && !rival)
+      placed.push_back({&model(other.object.object), other.merged.base_from_object});
+  }
+  const Rigid3 base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
+  return expectedInView(placed, 0, view.camera, base_from_camera, options_);
+}
+
 void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met, ViewReport* report) {
   if (!view.complete) return;
-  const Rigid3 base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
-  std::vector<PlacedModel> placed;
-  for (const Track& track : tracks_)
-    placed.push_back({&model(track.object.object), track.merged.base_from_object});
+  std::vector<char> missed(tracks_.size());
+  for (size_t t = 0; t < tracks_.size(); ++t) missed[t] = !met[t] && expected(tracks_[t], view);
   std::vector<Track> kept;
   for (size_t t = 0; t < tracks_.size(); ++t) {
     Track& track = tracks_[t];
-    if (!met[t] && expectedInView(placed, t, view.camera, base_from_camera, options_)) ++track.object.misses;
+    track.object.misses += missed[t];
     if (track.object.misses >= options_.forget_after_misses) {
       publish(&track);
-      report->forgotten.push_back(track.object);
+      if (!track.yields_to) report->forgotten.push_back(track.object);
     } else {
       kept.push_back(std::move(track));
     }
@@ -306,7 +324,8 @@ void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met
 
 std::vector<MappedObject> ObjectMap::objects() const {
   std::vector<MappedObject> objects;
-  for (const Track& track : tracks_) objects.push_back(track.object);
+  for (const Track& track : tracks_)
+    if (!track.yields_to) objects.push_back(track.object);
   std::sort(objects.begin(), objects.end(), [](const MappedObject& a, const MappedObject& b) {
     return std::tie(a.object, a.number) < std::tie(b.object, b.number);
   });
@@ -320,6 +339,9 @@ bool ObjectMap::forget(int object, int number) {
   const auto it = std::find_if(tracks_.begin(), tracks_.end(), wanted);
   if (it == tracks_.end()) return false;
   tracks_.erase(it);
+  // What yielded to it was never there; if it is, the next view brings it again.
+  const auto yielded = [&](const Track& track) { return track.yields_to == Key(object, number); };
+  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), yielded), tracks_.end());
   return true;
 }
 

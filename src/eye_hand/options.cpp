@@ -33,6 +33,7 @@ void ObjectMapOptions::check() const {
   require(min_motion >= 0, "min_motion", min_motion, "0 or more");
   require(min_turn >= 0, "min_turn", min_turn, "0 or more");
   require(most_views >= 1, "most_views", most_views, "1 or more");
+  requirePositive("overlap_depth", overlap_depth);
   require(forget_after_misses >= 1, "forget_after_misses", forget_after_misses, "1 or more");
   requireShare("expected_share", expected_share);
   require(expected_size >= 0, "expected_size", expected_size, "0 or more");

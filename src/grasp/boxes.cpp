@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "monocular_eye_hand/model/solid.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -91,16 +91,7 @@ MeshInHand::MeshInHand(const ObjectModel& model, const Rigid3& tcp_from_object)
 }
 
 bool MeshInHand::inside(const Eigen::Vector3d& p_in_tcp) const {
-  if (!model_.closed || !model_.rays || !bounds_.contains(p_in_tcp)) return false;
-  const Rigid3 object_from_tcp = tcp_from_object_.inverse();
-  // A direction that runs along no usual face; leaving the solid, the ray meets a face from behind.
-  const Eigen::Vector3d direction = Eigen::Vector3d(0.3819, 0.5402, 0.7499).normalized();
-  const RayScene::Hit hit = model_.rays->cast(object_from_tcp * p_in_tcp, direction);
-  if (!hit.hit) return false;
-  const auto& t = model_.mesh.triangles[size_t(hit.triangle)];
-  const std::vector<Eigen::Vector3d>& v = model_.mesh.vertices;
-  const Eigen::Vector3d normal = (v[size_t(t[1])] - v[size_t(t[0])]).cross(v[size_t(t[2])] - v[size_t(t[0])]);
-  return normal.dot(direction) > 0;
+  return bounds_.contains(p_in_tcp) && insideSolid(model_, tcp_from_object_.inverse() * p_in_tcp);
 }
 
 bool MeshInHand::meets(const Boxes& boxes) const {

@@ -1,6 +1,9 @@
 #include "nodes/conversion.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -46,6 +49,16 @@ geometry_msgs::Pose toPose(const Rigid3& a_from_b) {
 Rigid3 fromPose(const geometry_msgs::Pose& pose) {
   const Eigen::Quaterniond q(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
   return {q.normalized().toRotationMatrix(), {pose.position.x, pose.position.y, pose.position.z}};
+}
+
+Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what) {
+  const auto& q = pose.orientation;
+  const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  const double sum = pose.position.x + pose.position.y + pose.position.z + length;
+  if (!std::isfinite(sum)) throw BadInput(what + " is not finite");
+  if (std::abs(length - 1) > 0.01)
+    throw BadInput(what + ": its quaternion has length " + std::to_string(length) + " and must have 1");
+  return fromPose(pose);
 }
 
 geometry_msgs::PoseWithCovariance toPose(const Rigid3& a_from_b, const Matrix6d& covariance) {

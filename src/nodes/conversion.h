@@ -15,6 +15,8 @@ namespace monocular_eye_hand {
 /// `a_from_b` is the pose of frame b in frame a.
 geometry_msgs::Pose toPose(const Rigid3& a_from_b);
 Rigid3 fromPose(const geometry_msgs::Pose& pose);
+/// Throws BadInput naming `what` when the pose is not finite or its quaternion has not length 1 (to 1 %).
+Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what);
 /// Row-major, order x, y, z, rotation about x, y, z: the core's own order.
 geometry_msgs::PoseWithCovariance toPose(const Rigid3& a_from_b, const Matrix6d& covariance);
 /// `header.frame_id` is frame a, `child` frame b.

@@ -21,22 +21,6 @@ double widthOf(double value, const char* field, double most) {
 
 }  // namespace
 
-bool armState(const sensor_msgs::JointState& message, ArmState* state) {
-  ArmState result;
-  result.stamp = message.header.stamp.toSec();
-  result.has_speeds = message.velocity.size() == message.name.size();
-  for (int i = 0; i < 6; ++i) {
-    const auto found = std::find(message.name.begin(), message.name.end(), names::kArmJoints[i]);
-    const size_t at = size_t(found - message.name.begin());
-    if (at >= message.position.size()) return false;
-    result.joints[i] = message.position[at];
-    if (result.has_speeds) result.speeds[i] = message.velocity[at];
-  }
-  if (!result.joints.allFinite() || !result.speeds.allFinite()) return false;
-  *state = result;
-  return true;
-}
-
 trajectory_msgs::JointTrajectory toMessage(const Trajectory& trajectory) {
   trajectory_msgs::JointTrajectory message;
   message.joint_names.assign(std::begin(names::kArmJoints), std::end(names::kArmJoints));
@@ -49,16 +33,6 @@ trajectory_msgs::JointTrajectory toMessage(const Trajectory& trajectory) {
     message.points.push_back(point);
   }
   return message;
-}
-
-Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what) {
-  const auto& q = pose.orientation;
-  const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  const double sum = pose.position.x + pose.position.y + pose.position.z + length;
-  if (!std::isfinite(sum)) throw BadInput(what + " is not finite");
-  if (std::abs(length - 1) > 0.01)
-    throw BadInput(what + ": its quaternion has length " + std::to_string(length) + " and must have 1");
-  return fromPose(pose);
 }
 
 PickTarget pickTargetOf(const GraspTarget& target, const std::string& object, double gripper_width_max) {

@@ -14,20 +14,8 @@
 
 namespace monocular_eye_hand {
 
-/// What a joint state says of joint1 to joint6; false when one of them is not in it or not finite.
-/// `speeds`: has_speeds tells whether they are given.
-struct ArmState {
-  double stamp = 0;  ///< [s]
-  JointVector joints = JointVector::Zero(), speeds = JointVector::Zero();
-  bool has_speeds = false;
-};
-bool armState(const sensor_msgs::JointState& message, ArmState* state);
-
 /// For a joint_trajectory_controller, to start at once; the first point, where the arm is, is left out.
 trajectory_msgs::JointTrajectory toMessage(const Trajectory& trajectory);
-
-/// Throws BadInput naming `what` when the pose is not finite or its quaternion has not length 1 (to 1 %).
-Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what);
 
 /// The grasp of a target whose object is called `object` in the world. Throws BadInput naming what is broken.
 PickTarget pickTargetOf(const GraspTarget& target, const std::string& object, double gripper_width_max);

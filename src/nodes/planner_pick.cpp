@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "nodes/conversion.h"
 #include "nodes/planner_work.h"
 
 namespace monocular_eye_hand {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "nodes/arm_state.h"
 #include "nodes/planner_conversion.h"
 #include "nodes/trajectory_follower.h"
 

@@ -2,6 +2,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/conversion.h"
+#include "nodes/eye_hand_conversion.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -54,7 +55,7 @@ MappedObject fromMessage(const LocatedObject& message, const ModelBase& models) 
                    models.names() + "): both nodes must load the same file");
   object.name = message.name;
   object.number = message.instance;
-  object.base_from_object = fromPose(message.pose.pose);
+  object.base_from_object = poseOf(message.pose.pose, "the pose of " + message.name);
   object.covariance =
       Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(message.pose.covariance.data());
   object.free_axis = message.free_axis;
@@ -65,25 +66,11 @@ MappedObject fromMessage(const LocatedObject& message, const ModelBase& models) 
   return object;
 }
 
-LocatedObject toMessage(const MappedObject& object, const std::string& base_frame) {
-  LocatedObject message;
-  message.header.stamp = ros::Time(object.last_stamp);
-  message.header.frame_id = base_frame;
-  message.name = object.name;
-  message.instance = object.number;
-  message.pose = toPose(object.base_from_object, object.covariance);
-  message.probability = object.probability;
-  message.free_axis = object.free_axis;
-  message.views = object.views;
-  message.misses = object.misses;
-  return message;
-}
-
 GraspCandidate fromMessage(const GraspTarget& message) {
   GraspCandidate grasp;
-  grasp.base_from_pregrasp = fromPose(message.pregrasp);
-  grasp.base_from_grasp = fromPose(message.grasp);
-  grasp.base_from_retreat = fromPose(message.retreat);
+  grasp.base_from_pregrasp = poseOf(message.pregrasp, "the pregrasp pose of " + message.name);
+  grasp.base_from_grasp = poseOf(message.grasp, "the grasp pose of " + message.name);
+  grasp.base_from_retreat = poseOf(message.retreat, "the retreat pose of " + message.name);
   grasp.width = message.width;
   grasp.opening = message.opening;
   grasp.approach = {message.approach.x, message.approach.y, message.approach.z};
@@ -103,7 +90,7 @@ ClearFrameResult toMessage(const TaskResult& result, const std::string& base_fra
   message.reason = result.reason;
   for (const TaskObject& object : result.objects) {
     ClearedObject cleared;
-    cleared.object = toMessage(object.object, base_frame);
+    cleared.object = toMessage(object.object, ros::Time(object.object.last_stamp), base_frame);
     cleared.outcome = code(object.outcome);
     cleared.reason = object.reason;
     cleared.picks = object.picks;

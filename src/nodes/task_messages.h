@@ -8,9 +8,8 @@
 
 namespace monocular_eye_hand {
 
-/// Throws BadInput on a name that is not in the model base.
+/// Throws BadInput on a name that is not in the model base and on a pose that is none.
 MappedObject fromMessage(const LocatedObject& message, const ModelBase& models);
-LocatedObject toMessage(const MappedObject& object, const std::string& base_frame);
 /// What the task needs to choose by; the message itself goes on to the planner.
 GraspCandidate fromMessage(const GraspTarget& message);
 ClearFrameResult toMessage(const TaskResult& result, const std::string& base_frame, double duration);

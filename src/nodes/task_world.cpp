@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "nodes/arm_state.h"
 #include "nodes/conversion.h"
 #include "nodes/names.h"
 #include "nodes/task_messages.h"
@@ -120,17 +121,10 @@ void RosTaskWorld::gripperCallback(const GripperState& message) {
 }
 
 void RosTaskWorld::jointsCallback(const sensor_msgs::JointState& message) {
-  JointVector joints;
-  for (int i = 0; i < 6; ++i) {
-    const std::string wanted = "joint" + std::to_string(i + 1);
-    size_t at = 0;
-    while (at < message.name.size() && message.name[at] != wanted) ++at;
-    if (at >= message.name.size() || at >= message.position.size()) return;  // another device's message
-    joints[i] = message.position[at];
-  }
-  if (!joints.allFinite()) return;
+  ArmState state;
+  if (!armState(message, &state)) return;  // another device's message
   const std::lock_guard<std::mutex> lock(mutex_);
-  joints_ = joints;
+  joints_ = state.joints;
   joints_at_ = ros::WallTime::now();
 }
 
@@ -156,7 +150,8 @@ Eigen::Vector3d RosTaskWorld::lookTarget(const TaskView& view) const {
   if (view_)
     for (const LocatedObject& object : view_->objects)
       if (object.name == parameters_.clear_frame.frame)
-        return centreOf(models_->indexOf(object.name), fromPose(object.pose.pose));
+        return centreOf(models_->indexOf(object.name),
+                        poseOf(object.pose.pose, "the pose of " + object.name));
   return Eigen::Map<const Eigen::Vector3d>(parameters_.centre.data());
 }
 

@@ -111,6 +111,10 @@ void ClearFrameTask::choose() {
   std::vector<Key> blocked;
   for (const Key& key : waiting()) {
     Progress& progress = progress_[key];
+    if (progress.set_aside == result_.rounds) {
+      blocked.push_back(key);
+      continue;
+    }
     const GraspPlan plan = world_->graspTargets(*known(key));
     if (!plan.candidates.empty()) {
       progress.blocked.clear();
@@ -133,9 +137,19 @@ void ClearFrameTask::choose() {
     stage_ = TaskStage::kConfirm;
     return;
   }
-  // Nothing changes any more by itself: what blocks them stays.
-  for (const Key& key : blocked) giveUp(key, progress_.at(key).blocked);
-  finishRound();
+  // What blocks them may have been seen wrongly; when it stays, nothing changes any more by itself.
+  for (const Key& key : blocked)
+    if (++progress_.at(key).blocked_rounds >= options_.blocked_rounds) giveUp(key, progress_.at(key).blocked);
+  if (waiting().empty()) return finishRound();
+  tell("looks again: " + progress_.at(waiting().front()).blocked);
+  ++direction_;
+  startRound();
+}
+
+void ClearFrameTask::setAside(const Key& key, const std::string& reason) {
+  progress_.at(key).blocked = reason;
+  progress_.at(key).set_aside = result_.rounds;
+  stage_ = TaskStage::kChoose;
 }
 
 void ClearFrameTask::confirm() {
@@ -187,9 +201,8 @@ void ClearFrameTask::confirm() {
     tell("still too uncertain: " + progress.blocked);
     return;  // once more, nearer
   }
-  giveUp(key, plan.too_uncertain
-                  ? std::to_string(progress.near_looks) + " looks from near, and still: " + progress.blocked
-                  : progress.blocked);
+  if (!plan.too_uncertain) return setAside(key, progress.blocked);
+  giveUp(key, std::to_string(progress.near_looks) + " looks from near, and still: " + progress.blocked);
   stage_ = TaskStage::kChoose;
 }
 
@@ -244,10 +257,7 @@ void ClearFrameTask::pick() {
     }
     if (cancelled_ && cancelled_()) return finish(TaskOutcome::kCancelled, "cancelled while picking");
   }
-  progress_.at(key).blocked =
-      "none of " + std::to_string(candidates_.size()) + " grasps has a path; the last one: " + why;
-  giveUp(key, progress_.at(key).blocked);
-  stage_ = TaskStage::kChoose;
+  setAside(key, "none of " + std::to_string(candidates_.size()) + " grasps has a path; the last one: " + why);
 }
 
 // Cancelled or broken in the middle of a motion: only asks what the gripper holds.
@@ -293,11 +303,14 @@ void ClearFrameTask::carry() {
     entry(key).outcome = ObjectOutcome::kCarried;
     for (auto& [other, progress] : progress_) {
       // What stood in the way may be free now.
+      progress.blocked_rounds = 0;
       TaskObject& left = result_.objects[progress.index];
       if (left.outcome == ObjectOutcome::kLeft && !progress.blocked.empty()) {
         left.outcome = ObjectOutcome::kWaiting;
         left.reason.clear();
-        progress = {progress.index, 0, 0, ""};
+        const size_t index = progress.index;
+        progress = {};
+        progress.index = index;
       }
     }
     return startRound();

@@ -23,6 +23,7 @@ void ClearFrameOptions::check() const {
   requireAtLeast("look_attempts", look_attempts, 1);
   requireAtLeast("near_looks", near_looks, 1);
   requireAtLeast("confirm_attempts", confirm_attempts, 1);
+  requireAtLeast("blocked_rounds", blocked_rounds, 1);
   requireAtLeast("pick_attempts", pick_attempts, 1);
   requireAtLeast("candidates", candidates, 1);
   requireAtLeast("most_rounds", most_rounds, 1);

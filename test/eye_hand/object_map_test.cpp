@@ -5,6 +5,7 @@
 
 #include "map_world.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/solid.h"
 #include "monocular_eye_hand/options/options.h"
 
 namespace monocular_eye_hand {
@@ -138,6 +139,67 @@ TEST(ObjectMap, WhatAnotherObjectHidesIsKept) {
     map.add(view(2, low, {0.45, 0, 0.015}, second));
     EXPECT_EQ(map.objects().at(0).misses, hidden ? 0 : 1);
   }
+}
+
+// Far enough from each other to be two, and yet in one place.
+const Rigid3 kThere = upright(0.45, 0), kInto = upright(0.45, 0.028, 0.5);
+
+TEST(ObjectMap, OfTwoInOnePlaceTheOneWithMoreViewsIsTold) {
+  ObjectMap map(&models());
+  map.add(view(1, kLeft, kTarget, {{kBridge, kThere}}));
+  map.add(view(2, kRight, kTarget, {{kBridge, kThere}}));
+  ViewReport report = map.add(view(3, kFar, kTarget, {{kBridge, kThere}, {kBridge, kInto}}));
+  EXPECT_EQ(report.decisions[1].outcome, ViewOutcome::kNew);
+  EXPECT_THAT(report.decisions[1].reason, HasSubstr("not told, since bridge 0 is there"));
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].number, 0);
+  // It hides nothing and is hidden by nothing, and is forgotten as anything that is not there.
+  map.add(view(4, kNear, kTarget, {{kBridge, kThere}}));
+  report = map.add(view(5, kLeft, kTarget, {{kBridge, kThere}}));
+  EXPECT_TRUE(report.forgotten.empty());  // who was never told is not told to be gone
+  EXPECT_TRUE(map.forget(kBridge, 0));
+  EXPECT_TRUE(map.objects().empty());
+}
+
+TEST(ObjectMap, AWrongSightingYieldsWhenTheRightOneIsSeenMore) {
+  ObjectMap map(&models());
+  map.add(view(1, kLeft, kTarget, {{kBracket, kInto}}));
+  ASSERT_EQ(map.objects().size(), 1u);
+  map.add(view(2, kRight, kTarget, {{kBridge, kThere}}));
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].object, kBridge);
+  map.add(view(3, kFar, kTarget, {{kBridge, kThere}}));
+  map.add(view(4, kNear, kTarget, {{kBracket, kInto}}));  // once more wrong
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].object, kBridge);
+}
+
+TEST(ObjectMap, WhatYieldedToACarriedObjectGoesWithIt) {
+  ObjectMap map(&models());
+  map.add(view(1, kLeft, kTarget, {{kBridge, kThere}}));
+  map.add(view(2, kRight, kTarget, {{kBridge, kThere}, {kBridge, kInto}}));
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_TRUE(map.forget(kBridge, 0));
+  EXPECT_TRUE(map.objects().empty());
+  map.add(view(3, kFar, kTarget, {{kBridge, kInto}}));  // and comes back when it is there
+  EXPECT_EQ(map.objects().size(), 1u);
+}
+
+TEST(ObjectMap, AnObstacleYieldsToNoPart) {
+  ModelBase base = models();
+  base.objects[kFrame].handling.obstacle = true;
+  ObjectMap map(&base);
+  const Rigid3 frame = upright(0.45, 0);
+  const Eigen::Vector3d in_frame = innerPoints(base.objects[kFrame].model, 0.003).front(),
+                        in_bridge = innerPoints(base.objects[kBridge].model, 0.003).front();
+  Rigid3 in_the_wall = frame;
+  in_the_wall.translation += in_frame - in_bridge;
+  for (const auto& [stamp, eye] : {std::pair(1, kLeft), std::pair(2, kRight)})
+    map.add(view(stamp, eye, kTarget, {{kBridge, in_the_wall}}));
+  ASSERT_EQ(map.objects().size(), 1u);
+  map.add(view(3, kFar, kTarget, {{kBridge, in_the_wall}, {kFrame, frame}}));
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].object, kFrame);
 }
 
 TEST(ObjectMap, RefusesWithReasons) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "node_messages.h"
 #include "nodes/conversion.h"
 #include "nodes/eye_hand_conversion.h"
 
@@ -11,22 +12,6 @@ namespace monocular_eye_hand {
 namespace {
 
 using testing::HasSubstr;
-
-Rigid3 somePose() { return {expSO3({0.4, -1.1, 0.7}), {0.12, -0.34, 0.56}}; }
-
-Matrix6d someCovariance() {
-  Matrix6d root = Matrix6d::Identity() * 0.01;
-  root(1, 0) = 0.002, root(5, 2) = -0.003;
-  return root * root.transpose();
-}
-
-ModelBase twoObjects() {
-  ModelBase models;
-  models.objects.resize(2);
-  models.objects[0].model.name = "bridge";
-  models.objects[1].model.name = "frame";
-  return models;
-}
 
 RecognizedObject recognized(const std::string& name) {
   RecognizedObject object;

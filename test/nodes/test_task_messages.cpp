@@ -4,28 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "node_messages.h"
 #include "nodes/conversion.h"
+#include "nodes/eye_hand_conversion.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 using testing::HasSubstr;
-
-Rigid3 somePose(double x) { return {expSO3({0.4, -1.1, 0.7}), {x, -0.34, 0.56}}; }
-
-Matrix6d someCovariance() {
-  Matrix6d root = Matrix6d::Identity() * 0.01;
-  root(1, 0) = 0.002, root(5, 2) = -0.003;
-  return root * root.transpose();
-}
-
-ModelBase twoObjects() {
-  ModelBase models;
-  models.objects.resize(2);
-  models.objects[0].model.name = "bridge";
-  models.objects[1].model.name = "frame";
-  return models;
-}
 
 MappedObject someObject() {
   MappedObject object;
@@ -43,7 +29,7 @@ MappedObject someObject() {
 }
 
 TEST(TaskMessages, AnObjectThereAndBack) {
-  const LocatedObject message = toMessage(someObject(), "base_link");
+  const LocatedObject message = toMessage(someObject(), ros::Time(12.5), "base_link");
   EXPECT_EQ(message.header.frame_id, "base_link");
   EXPECT_EQ(message.header.stamp, ros::Time(12.5));
   EXPECT_EQ(message.name, "frame");
@@ -62,7 +48,7 @@ TEST(TaskMessages, AnObjectThereAndBack) {
 }
 
 TEST(TaskMessages, AnObjectOfAnotherModelBaseIsRefused) {
-  LocatedObject message = toMessage(someObject(), "base_link");
+  LocatedObject message = toMessage(someObject(), ros::Time(12.5), "base_link");
   message.name = "spoon";
   try {
     fromMessage(message, twoObjects());

@@ -143,6 +143,45 @@ TEST(ClearFrame, TheNextGraspIsTriedWhenOneHasNoPath) {
   EXPECT_EQ(closed.motions, 0);
 }
 
+TEST(ClearFrame, WhatHasNoPathLetsTheOthersGoFirst) {
+  World world;
+  world.put(kBridge, 0, at(0.5, 0)).picks.assign(3, {TaskPickOutcome::kInCollision, "it and grenade 0"});
+  world.put(kGrenade, 0, at(0.55, 0));
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
+  const auto first = [&](const std::string& what) {
+    return std::find(world.log.begin(), world.log.end(), what) - world.log.begin();
+  };
+  EXPECT_LT(first("pick bridge0 by grasp 2"), first("carry grenade0 to 0"));
+  EXPECT_LT(first("carry grenade0 to 0"), first("carry bridge0 to 1"));
+}
+
+TEST(ClearFrame, WhatASecondLookShowsFreeIsNotGivenUp) {
+  // What stood in the way was seen wrongly.
+  World world;
+  world.put(kBridge, 0, at(0.5, 0)).picks.assign(3, {TaskPickOutcome::kInCollision, "lift: grenade 3"});
+  TaskResult result = ClearFrameTask(&kModels, &world).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
+  EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);
+
+  World refused;
+  refused.put(kBridge, 0, at(0.5, 0)).refused = "meets an obstacle";
+  refused.before_look = [&](const TaskView&) {
+    if (refused.log.size() == 3) refused.thing(kBridge, 0).refused.clear();
+  };
+  result = ClearFrameTask(&kModels, &refused).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
+
+  World never;
+  never.put(kBridge, 0, at(0.5, 0)).refused = "meets an obstacle";
+  ClearFrameOptions options;
+  options.blocked_rounds = 4;
+  result = ClearFrameTask(&kModels, &never, options).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kLeftovers);
+  EXPECT_EQ(result.rounds, 4);
+  EXPECT_EQ(never.motions, 0);
+}
+
 TEST(ClearFrame, RoundsAreBounded) {
   // Every object that is carried away is replaced.
   World world;

@@ -1,5 +1,8 @@
 #pragma once
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "monocular_eye_hand/eye_hand/chain.h"
@@ -25,6 +28,7 @@ struct ObjectMapOptions {
   double min_motion = 0.01;      ///< views from nearer camera places share their errors [m] ...
   double min_turn = 0.03;        ///< ... unless the camera turned by this [rad]: they are not averaged
   int most_views = 200;          ///< merged per object; more tell nothing new
+  double overlap_depth = 0.004;  ///< two objects that reach into each other deeper are not both there [m]
   int forget_after_misses = 2;   ///< views that should have shown an object and did not
   double expected_share = 0.7;   ///< of an object must be in view and free for that ...
   double expected_size = 40;     ///< ... at this size in the image at least [px] ...
@@ -37,9 +41,10 @@ struct ObjectMapOptions {
     v("floor_position", floor_position), v("floor_rotation", floor_rotation), v("gate", gate);
     v("same_place", same_place), v("max_distance", max_distance);
     v("outliers_to_restart", outliers_to_restart), v("min_motion", min_motion), v("min_turn", min_turn);
-    v("most_views", most_views), v("forget_after_misses", forget_after_misses),
-        v("expected_share", expected_share);
-    v("expected_size", expected_size), v("expected_border", expected_border);
+    v("most_views", most_views), v("overlap_depth", overlap_depth),
+        v("forget_after_misses", forget_after_misses);
+    v("expected_share", expected_share), v("expected_size", expected_size),
+        v("expected_border", expected_border);
   }
 };
 
@@ -110,6 +115,9 @@ struct ViewReport {
 /// zeros. They are not estimated, but considered (Schmidt 1966): views are weighted by the information of
 /// their own part, and the sensitivity of the merged pose to the common errors is carried along, so that a
 /// hundred views from one side are no better than the hand-eye calibration allows.
+///
+/// Solid things are never in one place. Of objects that reach into each other the one with more views is
+/// told; the others are kept, untold, until views confirm them, miss them, or the told one is gone.
 class ObjectMap {
  public:
   /// Keeps a pointer to `models`. Throws BadInput when an option is out of range.
@@ -120,13 +128,14 @@ class ObjectMap {
   /// refused.
   ViewReport add(const ObjectView& view);
 
-  /// By model and number, the order of the model base.
+  /// What is believed to be there, by model and number, the order of the model base.
   std::vector<MappedObject> objects() const;
-  /// Takes an object out, e.g. when it was carried away; false when there is none.
+  /// Takes an object out, e.g. when it was carried away, and what yielded to it; false when there is none.
   bool forget(int object, int number);
   void clear();  ///< everything, numbers too
 
  private:
+  using Key = std::pair<int, int>;  // MappedObject::object, number
   /// A SeenObject in the base frame.
   struct Sighting {
     int object = -1;
@@ -141,6 +150,9 @@ class ObjectMap {
     Sighting merged;                        // all views together
     std::vector<Rigid3> base_from_cameras;  // of the merged views
     std::vector<Sighting> outliers;         // in a row, agreeing with each other
+    std::vector<Key> rivals;                // cannot be there together with it
+    std::optional<Key> yields_to;           // the rival that is believed instead
+    Key key() const { return {object.object, object.number}; }
   };
   void addFloor(Matrix6d* covariance) const;
   Sighting sighting(const ObjectView& view, const SeenObject& seen) const;
@@ -156,11 +168,17 @@ class ObjectMap {
   void merge(Track* track, const Sighting& sighting) const;
   void publish(Track* track) const;
   void countMisses(const ObjectView& view, const std::vector<char>& met, ViewReport* report);
+  bool expected(const Track& track, const ObjectView& view) const;
+  const std::vector<Eigen::Vector3d>& core(int object);
+  bool rivals(const Track& a, const Track& b);
+  void findRivals();
+  void believe();  // settles who yields to whom
 
   const ModelBase* models_;
   ObjectMapOptions options_;
   std::vector<Track> tracks_;
-  std::vector<int> next_number_;  // by ModelBase::objects
+  std::vector<int> next_number_;                       // by ModelBase::objects
+  std::map<int, std::vector<Eigen::Vector3d>> cores_;  // points deep inside a model, by ModelBase::objects
   Matrix6d hand_eye_covariance_ = Matrix6d::Zero();
   double last_stamp_ = 0;
   bool started_ = false;

@@ -20,6 +20,7 @@ struct ClearFrameOptions {
   int confirm_views = 2;        ///< an object that so many views agree on is picked without a near look
   int near_looks = 3;           ///< per object and round, until its pose is sure enough
   int confirm_attempts = 2;     ///< near looks that do not show an object before it is given up
+  int blocked_rounds = 2;       ///< rounds in which it cannot be grasped or reached before it is given up
   int pick_attempts = 3;        ///< lost grasps of one object before it is given up
   int candidates = 6;           ///< grasps handed to the planner per attempt
   int most_rounds = 40;         ///< looks around the frame in all
@@ -31,6 +32,7 @@ struct ClearFrameOptions {
     v("overviews_again", overviews_again);
     v("look_attempts", look_attempts), v("confirm_views", confirm_views), v("near_looks", near_looks),
         v("confirm_attempts", confirm_attempts);
+    v("blocked_rounds", blocked_rounds);
     v("pick_attempts", pick_attempts), v("candidates", candidates), v("most_rounds", most_rounds);
   }
 };
@@ -107,6 +109,8 @@ class ClearFrameTask {
     size_t index = 0;  // result_.objects
     int near_looks = 0, unconfirmed = 0;
     std::string blocked;  // why there is no grasp as things stand: other objects may be in the way
+    int blocked_rounds = 0;
+    int set_aside = 0;  // the round in which the others go first, since no grasp of it has a path
   };
   void lookAround();
   void choose();
@@ -115,6 +119,7 @@ class ClearFrameTask {
   bool sure(const Key& key);
   GraspPlan prepareGrasps(const MappedObject& object);  // fills candidates_
   void pick();
+  void setAside(const Key& key, const std::string& reason);
   void verify();
   void carry();
 

@@ -1,0 +1,70 @@
+#include "monocular_eye_hand/model/solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "closest_point.h"
+#include "monocular_eye_hand/model/ray_scene.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kMostCells = 20000;  // of the grid
+
+bool anyInside(const ObjectModel& solid, const Rigid3& solid_from_points,
+               const std::vector<Eigen::Vector3d>& points) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Eigen::Vector3d& p) { return insideSolid(solid, solid_from_points * p); });
+}
+
+}  // namespace
+
+bool insideSolid(const ObjectModel& model, const Eigen::Vector3d& p_in_object) {
+  if (!model.closed || !model.rays || !model.bounds.contains(p_in_object)) return false;
+  // A direction that runs along no usual face; leaving the solid, the ray meets a face from behind.
+  const Eigen::Vector3d direction = Eigen::Vector3d(0.3819, 0.5402, 0.7499).normalized();
+  const RayScene::Hit hit = model.rays->cast(p_in_object, direction);
+  if (!hit.hit) return false;
+  const auto& t = model.mesh.triangles[size_t(hit.triangle)];
+  const std::vector<Eigen::Vector3d>& v = model.mesh.vertices;
+  const Eigen::Vector3d normal = (v[size_t(t[1])] - v[size_t(t[0])]).cross(v[size_t(t[2])] - v[size_t(t[0])]);
+  return normal.dot(direction) > 0;
+}
+
+std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth, size_t most) {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> depths;
+  if (!model.closed || !model.rays || model.bounds.isEmpty()) return points;
+  const double cell = std::max(depth, std::cbrt(model.bounds.volume() / kMostCells));
+  const Eigen::Array3i cells = (model.bounds.sizes() / cell).array().ceil().max(1).cast<int>();
+  const Eigen::Vector3d step = model.bounds.sizes().array() / cells.cast<double>();
+  const ClosestPoint surface(model.mesh);
+  double deepest = 0;
+  for (int i = 0; i < cells[0]; ++i)
+    for (int j = 0; j < cells[1]; ++j)
+      for (int k = 0; k < cells[2]; ++k) {
+        const Eigen::Vector3d p =
+            model.bounds.min() + step.cwiseProduct(Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5));
+        if (!insideSolid(model, p)) continue;
+        points.push_back(p);
+        depths.push_back(surface.distance(p, 2 * depth));
+        deepest = std::max(deepest, depths.back());
+      }
+  const double wanted = std::min(depth, 0.7 * deepest);
+  std::vector<Eigen::Vector3d> inner;
+  for (size_t n = 0; n < points.size(); ++n)
+    if (depths[n] >= wanted) inner.push_back(points[n]);
+  const size_t stride = most > 0 ? (inner.size() + most - 1) / most : 1;
+  std::vector<Eigen::Vector3d> spread;
+  for (size_t n = 0; n < inner.size(); n += stride) spread.push_back(inner[n]);
+  return spread;
+}
+
+bool interpenetrate(const ObjectModel& a, const std::vector<Eigen::Vector3d>& inner_a, const ObjectModel& b,
+                    const std::vector<Eigen::Vector3d>& inner_b, const Rigid3& a_from_b) {
+  const double apart = (a.centre() - a_from_b * b.centre()).norm();
+  if (apart > (a.bounds.diagonal().norm() + b.bounds.diagonal().norm()) / 2) return false;
+  return anyInside(b, a_from_b.inverse(), inner_a) || anyInside(a, a_from_b, inner_b);
+}
+
+}  // namespace monocular_eye_hand
