@@ -99,13 +99,15 @@ class Planner {
     if (postures.postures.empty()) return refuse(postures.refusal, 0, postures.reason);
     // Room counts until there is as much again as is needed.
     const double room = std::min(1.0, c.free / std::max(1e-9, 2 * c.needed));
+    // Closing along the table the pads slide the part to their middle; across it the table holds it off.
+    const double centring = 1 - std::abs(c.base_from_grasp.rotation.col(1).z());
     for (size_t k = 0; k < postures.postures.size() && int(k) < options_.branches; ++k) {
       const Posture& p = postures.postures[k];
       c.branch = p.branch;
       c.pregrasp_joints = p.pregrasp;
       c.grasp_joints = p.grasp;
       c.retreat_joints = p.retreat;
-      c.quality = grasp.quality * (0.5 + 0.5 * std::cos(tilt)) * room / (1 + 0.1 * p.travel);
+      c.quality = grasp.quality * (0.5 + 0.5 * std::cos(tilt)) * room * centring / (1 + 0.1 * p.travel);
       candidates_.push_back(c);
     }
   }

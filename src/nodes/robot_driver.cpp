@@ -3,6 +3,7 @@
 #include <std_msgs/Float64.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <sstream>
@@ -14,7 +15,10 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr auto kPoll = std::chrono::milliseconds(10);
-constexpr double kStalledFor = 0.3;  // fingers that begin to open may still be said to be stalled [s, cell]
+constexpr double kStalledFor = 1.0;  // fingers that begin to open may still be said to be stalled [s, cell]
+
+/// Now, by the later of two witnesses: the clock may arrive after the states that it stamped.
+double later(const ros::Time& clock, double last_stamp) { return std::max(clock.toSec(), last_stamp); }
 
 std::string silence(const char* topic, const ros::WallTime& last, double longest) {
   if (last.isZero()) return std::string("no ") + topic + " yet: does the driver of the arm run?";
@@ -94,7 +98,7 @@ std::string RobotDriver::stop() {
   arm_command_.publish(nothing);
   const ros::WallTime begin = ros::WallTime::now();
   std::unique_lock<std::mutex> lock(mutex_);
-  const double from = std::max(told.toSec(), state_ ? state_->stamp + 1e-6 : 0.0);
+  const double from = later(told, state_ ? state_->stamp + 1e-6 : 0);
   while (ros::ok()) {
     if (state_ && state_->stamp >= from && speed_ <= options_.follow.stand_speed) return "";
     if ((ros::WallTime::now() - begin).toSec() > options_.stop_timeout) break;
@@ -115,7 +119,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
   const ros::Time start = ros::Time::now();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    follower_.emplace(trajectory, start.toSec(), options_.follow);
+    follower_.emplace(trajectory, later(start, state_ ? state_->stamp : 0), options_.follow);
   }
   arm_command_.publish(toMessage(trajectory));
   Drive drive;
@@ -172,11 +176,12 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
     return Drive{DriveEnd::kFault, reason};
   };
   std::unique_lock<std::mutex> lock(mutex_);
+  const double from = later(start, gripper_ ? gripper_->header.stamp.toSec() : 0);
   while (ros::ok()) {
     const std::string silent = silentGripper();
     if (!silent.empty()) return fault(silent);
     const GripperState& state = *gripper_;
-    const double since = (state.header.stamp - start).toSec();
+    const double since = state.header.stamp.toSec() - from;
     const bool there = std::abs(state.width - width) <= options_.open_tolerance;
     if (since > 0 && !state.moving && (there || (closing && state.stalled))) break;
     if (since > kStalledFor && !closing && !state.moving && state.stalled)

@@ -54,8 +54,10 @@ int64_t WorkCellNode::nextInstant() const {
   return std::max(next, now());
 }
 
+bool WorkCellNode::driven() const { return cell_.armMoving() || cell_.gripperMoving(); }
+
 bool WorkCellNode::moving() const {
-  if (cell_.armMoving() || cell_.gripperMoving()) return true;
+  if (driven()) return true;
   const std::vector<CellTruth> objects = cell_.truth();
   return std::any_of(objects.begin(), objects.end(), [](const CellTruth& object) { return object.falling; });
 }
@@ -63,7 +65,8 @@ bool WorkCellNode::moving() const {
 void WorkCellNode::takeCommands() {
   double wait = 1;
   while (ros::ok() && wait > 0) {
-    wait = pace_.wait(double(nextInstant()) * 1e-9, steadySeconds(), moving());
+    // While only parts fall the next command may be on its way: it must not come seconds of the cell too late.
+    wait = pace_.wait(double(nextInstant()) * 1e-9, steadySeconds(), driven());
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));  // back at the first command
   }
 }

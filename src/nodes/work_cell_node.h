@@ -43,7 +43,8 @@ class WorkCellNode {
   void takeCommands();
   void startWaiting();
   void publishDue();
-  bool moving() const;  ///< arm, gripper or an object
+  bool driven() const;  ///< arm or gripper
+  bool moving() const;  ///< one of them, or an object
   void onTrajectory(const trajectory_msgs::JointTrajectory& message);
   void onWidth(const std_msgs::Float64& message);
   void onTakeAway(const std_msgs::String& message);

@@ -115,7 +115,7 @@ class Planner {
     add(PickStage::kLift, way.lift, worlds_.lift, grip, near_timing_);
     add(PickStage::kCarry, carry.points, worlds_.carry, grip, options_.timing);
     add(PickStage::kLower, put.lower, worlds_.lift, grip, near_timing_);
-    add(PickStage::kRetreat, {put.lower.rbegin(), put.lower.rend()}, released, open, near_timing_);
+    add(PickStage::kRetreat, put.retreat, released, open, near_timing_);
   }
 
   const ToolArm& arm_;

@@ -68,6 +68,7 @@ PickWorlds::PickWorlds(const CollisionWorld& world, const PickRequest& request, 
 CollisionWorld PickWorlds::released(const PickRequest& request, const DropTarget& drop,
                                     double near_padding) const {
   CollisionWorld world = approach;
+  for (const std::string& finger : world.fingers()) world.forbid(finger, request.target.object);
   world.move(request.target.object, drop.base_from_tcp * tcp_from_object);
   world.setPadding(near_padding);
   return world;
@@ -125,6 +126,25 @@ bool graspWay(const ToolArm& arm, const PickWorlds& worlds, const PickTarget& ta
   return false;
 }
 
+/// Back out of the grasp, as it was approached: straight up the fingers of a tilted hand would catch the
+/// part. Where that is blocked, the way it came.
+std::vector<JointVector> retreatWay(const ToolArm& arm, const CollisionWorld& released,
+                                    const DropTarget& drop, const std::vector<JointVector>& lower,
+                                    const PlanningOptions& options, PickFailure* failure) {
+  const double distance = (drop.base_from_tcp_above.translation - drop.base_from_tcp.translation).norm();
+  Rigid3 back = drop.base_from_tcp;
+  back.translation -= distance * back.rotation.col(2);
+  PickFailure blocked;
+  std::vector<JointVector> way =
+      straightLine(arm, released, lower.back(), back, options, PickOutcome::kDropUnreachable,
+                   PickOutcome::kLoweringBlocked, "retreat from the drop", &blocked);
+  if (!way.empty()) return way;
+  way.assign(lower.rbegin(), lower.rend());
+  if (alongLine(released, way).first.empty()) return way;
+  failure->tell(PickOutcome::kLoweringBlocked, blocked.reason);
+  return {};
+}
+
 bool dropWay(const ToolArm& arm, const PickWorlds& worlds, const CollisionWorld& released,
              const DropTarget& drop, const JointVector& above, const PlanningOptions& options, DropWay* way,
              PickFailure* failure) {
@@ -138,10 +158,8 @@ bool dropWay(const ToolArm& arm, const PickWorlds& worlds, const CollisionWorld&
       straightLine(arm, worlds.lift, above, drop.base_from_tcp, options, PickOutcome::kDropUnreachable,
                    PickOutcome::kLoweringBlocked, "lowering", failure);
   if (way->lower.empty()) return false;
-  const CollisionPair hit = alongLine(released, way->lower);
-  if (hit.first.empty()) return true;
-  failure->tell(PickOutcome::kLoweringBlocked, "retreat from the drop: " + describe(hit));
-  return false;
+  way->retreat = retreatWay(arm, released, drop, way->lower, options, failure);
+  return !way->retreat.empty();
 }
 
 }  // namespace monocular_eye_hand

@@ -32,7 +32,7 @@ struct GraspWay {
 };
 struct DropWay {
   JointVector above;
-  std::vector<JointVector> lower;  ///< and back
+  std::vector<JointVector> lower, retreat;
 };
 
 /// Solutions of a pose, soonest reached from `current` first.

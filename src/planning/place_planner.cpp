@@ -106,7 +106,7 @@ class Placer {
       plan_.motions.push_back({PickStage::kLift, departure_.trajectory, grip});
     add(PickStage::kCarry, carry.points, worlds_.carry, grip, options_.timing);
     add(PickStage::kLower, way.lower, worlds_.lift, grip, near);
-    add(PickStage::kRetreat, {way.lower.rbegin(), way.lower.rend()}, released, open, near);
+    add(PickStage::kRetreat, way.retreat, released, open, near);
   }
 
   const ToolArm& arm_;

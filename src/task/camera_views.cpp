@@ -27,6 +27,9 @@ int alternating(int i) { return i % 2 ? (i + 1) / 2 : -i / 2; }
 
 Wish wishOf(const TaskView& view, const Eigen::Vector3d& target, const CameraViewOptions& o) {
   const double towards_robot = std::atan2(-target.y(), -target.x());
+  if (view.search)
+    return {towards_robot + alternating(view.direction % kDirections) * o.overview_turn, o.search_elevation,
+            o.search_distance};
   if (!view.near)
     return {towards_robot + alternating(view.direction % kDirections) * o.overview_turn, o.overview_elevation,
             o.overview_distance};
@@ -51,6 +54,9 @@ double wayTo(const Rigid3& base_from_tool0, const Puma560& arm, const JointVecto
 
 void CameraViewOptions::check() const {
   require(overview_distance > 0, "overview_distance", overview_distance, "positive");
+  require(search_distance > 0, "search_distance", search_distance, "positive");
+  require(search_elevation > 0 && search_elevation <= M_PI / 2, "search_elevation", search_elevation,
+          "above 0 and at most pi / 2");
   require(near_distance > 0, "near_distance", near_distance, "positive");
   require(nearest > 0 && nearest <= near_distance, "nearest", nearest, "positive and at most near_distance");
   require(near_step >= 0, "near_step", near_step, "at least 0");

@@ -68,6 +68,7 @@ bool ClearFrameTask::step() {
 }
 
 void ClearFrameTask::lookAround() {
+  if (searching_) return search();
   if (overview_ == 0 && failed_looks_ == 0) {
     if (result_.rounds == options_.most_rounds) return finishRound();
     ++result_.rounds;
@@ -82,6 +83,19 @@ void ClearFrameTask::lookAround() {
   if (++overview_ < views) return;
   if (frame_ >= 0 && !frame_pose_)
     return finish(TaskOutcome::kNoFrame, "no " + options_.frame + " was found");
+  stage_ = TaskStage::kChoose;
+}
+
+void ClearFrameTask::search() {
+  TaskView view;
+  view.search = true;
+  view.direction = ++direction_;
+  tell("nothing known is left; search " + std::to_string(searches_ + 1) + " of " +
+       std::to_string(options_.searches));
+  TaskLook seen;
+  if (!look(view, &seen)) return;
+  ++searches_;
+  searching_ = false;
   stage_ = TaskStage::kChoose;
 }
 
@@ -140,7 +154,12 @@ void ClearFrameTask::choose() {
   // What blocks them may have been seen wrongly; when it stays, nothing changes any more by itself.
   for (const Key& key : blocked)
     if (++progress_.at(key).blocked_rounds >= options_.blocked_rounds) giveUp(key, progress_.at(key).blocked);
-  if (waiting().empty()) return finishRound();
+  if (waiting().empty()) {
+    searching_ = searches_ < options_.searches;
+    if (!searching_) return finishRound();
+    stage_ = TaskStage::kLook;
+    return;
+  }
   tell("looks again: " + progress_.at(waiting().front()).blocked);
   ++direction_;
   startRound();
@@ -301,11 +320,12 @@ void ClearFrameTask::carry() {
   if (result.outcome == TaskPickOutcome::kDone) {
     ++carried_;
     entry(key).outcome = ObjectOutcome::kCarried;
+    searches_ = 0;
     for (auto& [other, progress] : progress_) {
-      // What stood in the way may be free now.
+      // What stood in its way, or before it, may do so no more.
       progress.blocked_rounds = 0;
       TaskObject& left = result_.objects[progress.index];
-      if (left.outcome == ObjectOutcome::kLeft && !progress.blocked.empty()) {
+      if (left.outcome == ObjectOutcome::kLeft && left.picks < options_.pick_attempts) {
         left.outcome = ObjectOutcome::kWaiting;
         left.reason.clear();
         const size_t index = progress.index;

@@ -22,6 +22,7 @@ void ClearFrameOptions::check() const {
   requireAtLeast("confirm_views", confirm_views, 1);
   requireAtLeast("look_attempts", look_attempts, 1);
   requireAtLeast("near_looks", near_looks, 1);
+  requireAtLeast("searches", searches, 0);
   requireAtLeast("confirm_attempts", confirm_attempts, 1);
   requireAtLeast("blocked_rounds", blocked_rounds, 1);
   requireAtLeast("pick_attempts", pick_attempts, 1);

@@ -43,10 +43,17 @@ TaskView nearLook(int approach) {
   return view;
 }
 
+TaskView search(int direction) {
+  TaskView view;
+  view.search = true;
+  view.direction = direction;
+  return view;
+}
+
 TEST_F(CameraViews, look_at_the_target_from_within_reach) {
   const CameraViewOptions options;
-  for (const TaskView& view :
-       {overview(0), overview(1), overview(2), nearLook(0), nearLook(1), nearLook(3)}) {
+  for (const TaskView& view : {overview(0), overview(1), overview(2), search(0), search(1), search(2),
+                               nearLook(0), nearLook(1), nearLook(3)}) {
     const std::vector<Rigid3> poses = views(view);
     ASSERT_FALSE(poses.empty());
     EXPECT_LE(int(poses.size()), options.most);
@@ -64,7 +71,8 @@ TEST_F(CameraViews, look_at_the_target_from_within_reach) {
 }
 
 TEST_F(CameraViews, successive_views_cross) {
-  for (const auto& [a, b] : {std::pair{overview(0), overview(1)}, std::pair{nearLook(0), nearLook(1)}}) {
+  for (const auto& [a, b] : {std::pair{overview(0), overview(1)}, std::pair{search(1), search(2)},
+                             std::pair{nearLook(0), nearLook(1)}}) {
     const Eigen::Vector3d from_a = (views(a)[0].translation - kTarget).normalized();
     const Eigen::Vector3d from_b = (views(b)[0].translation - kTarget).normalized();
     EXPECT_GT(std::acos(from_a.dot(from_b)), 0.15);
@@ -80,6 +88,13 @@ TEST_F(CameraViews, every_near_look_is_nearer_until_the_nearest) {
     before = distance;
   }
   EXPECT_NEAR((views(nearLook(9))[0].translation - kTarget).norm(), options.nearest, 1e-9);
+}
+
+TEST_F(CameraViews, a_search_is_nearer_and_lower_than_an_overview) {
+  const Eigen::Vector3d far = views(overview(1))[0].translation - kTarget,
+                        near = views(search(1))[0].translation - kTarget;
+  EXPECT_LT(near.norm(), far.norm());
+  EXPECT_LT(near.normalized().z(), far.normalized().z());
 }
 
 TEST_F(CameraViews, the_same_question_has_the_same_answer) {

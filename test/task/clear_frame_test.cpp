@@ -182,6 +182,31 @@ TEST(ClearFrame, WhatASecondLookShowsFreeIsNotGivenUp) {
   EXPECT_EQ(never.motions, 0);
 }
 
+TEST(ClearFrame, WhatOnlyASearchShowsIsCarriedOutToo) {
+  World world;
+  World::Thing& bridge = world.put(kBridge, 0, at(0.5, 0));
+  bridge.there = false, bridge.misses_left = 0;
+  world.before_look = [&](const TaskView& view) {
+    if (view.search && world.motions == 0) world.thing(kBridge, 0).there = true;
+  };
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
+  EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);
+  EXPECT_EQ(std::count(world.log.begin(), world.log.end(), "search"), 3);  // the one, and two after it
+}
+
+TEST(ClearFrame, WhatWasGivenUpIsTriedAgainWhenSomethingWasCarriedOut) {
+  World world;
+  world.put(kBridge, 0, at(0.5, 0)).hidden_from_near = true;
+  world.put(kGrenade, 0, at(0.55, 0));
+  world.before_look = [&](const TaskView&) {
+    if (world.motions > 0) world.thing(kBridge, 0).hidden_from_near = false;
+  };
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
+  EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);
+}
+
 TEST(ClearFrame, RoundsAreBounded) {
   // Every object that is carried away is replaced.
   World world;

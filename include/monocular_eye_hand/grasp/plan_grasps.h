@@ -98,8 +98,8 @@ struct GraspPlan {
 
 /// Every grasp of the model, its symmetric copies and its half turn, as pre-grasp, grasp and retreat that the
 /// arm reaches in one posture without meeting table, part or obstacles. Best first: quality of the model's
-/// grasp, steepness of the approach, room for the pose's uncertainty, then the shortest way of the joints
-/// from `current`.
+/// grasp, steepness of the approach, room for the pose's uncertainty, closing along the table, then the
+/// shortest way of the joints from `current`.
 ///
 /// "Fits" means: on each side of the part the gripper's opening leaves `sigmas` standard deviations of the
 /// part's place at the pads' corners along the closing direction and min_clearance; across it `sigmas`

@@ -14,7 +14,8 @@ struct PickTarget {
   double open_width = 0, grip_width = 0;  ///< between the finger pads, before and after closing [m]
 };
 
-/// Where gripper_tcp lets go; it comes from `above` in a straight line and goes back the same way.
+/// Where gripper_tcp lets go; it comes from `above` in a straight line and withdraws as far against its own
+/// z, or, where that is blocked, the way it came.
 struct DropTarget {
   Rigid3 base_from_tcp_above, base_from_tcp;
 };

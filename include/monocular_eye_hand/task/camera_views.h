@@ -11,6 +11,8 @@ struct CameraViewOptions {
   double overview_distance = 0.55;   ///< camera to the middle of the frame [m]
   double overview_elevation = 1.15;  ///< above the horizon [rad]
   double overview_turn = 0.9;        ///< azimuth from one overview to the next [rad]
+  double search_distance = 0.42;     ///< camera to the middle of the frame in a search [m]
+  double search_elevation = 0.9;     ///< above the horizon [rad]
   double near_distance = 0.36;       ///< camera to the object at the first near look [m]
   double near_step = 0.05;           ///< so much nearer with every further one [m]
   double nearest = 0.28;             ///< but never nearer than this [m]
@@ -22,7 +24,8 @@ struct CameraViewOptions {
   template <class Visitor>
   void visit(Visitor&& v) {
     v("overview_distance", overview_distance), v("overview_elevation", overview_elevation);
-    v("overview_turn", overview_turn), v("near_distance", near_distance), v("near_step", near_step);
+    v("overview_turn", overview_turn), v("search_distance", search_distance);
+    v("search_elevation", search_elevation), v("near_distance", near_distance), v("near_step", near_step);
     v("nearest", nearest), v("near_elevation", near_elevation), v("near_turn", near_turn), v("most", most);
   }
 };

@@ -16,6 +16,7 @@ struct ClearFrameOptions {
   double frame_margin = 0.02;   ///< an object counts as inside up to so far outside the frame's border [m]
   int overviews = 2;            ///< views of the whole frame in the first round
   int overviews_again = 1;      ///< the same in every further round
+  int searches = 2;             ///< nearer views of the frame before it counts as cleared
   int look_attempts = 3;        ///< a view that fails so often in a row ends the task
   int confirm_views = 2;        ///< an object that so many views agree on is picked without a near look
   int near_looks = 3;           ///< per object and round, until its pose is sure enough
@@ -29,7 +30,7 @@ struct ClearFrameOptions {
   template <class Visitor>
   void visit(Visitor&& v) {
     v("frame", frame), v("frame_margin", frame_margin), v("overviews", overviews);
-    v("overviews_again", overviews_again);
+    v("overviews_again", overviews_again), v("searches", searches);
     v("look_attempts", look_attempts), v("confirm_views", confirm_views), v("near_looks", near_looks),
         v("confirm_attempts", confirm_attempts);
     v("blocked_rounds", blocked_rounds);
@@ -113,6 +114,7 @@ class ClearFrameTask {
     int set_aside = 0;  // the round in which the others go first, since no grasp of it has a path
   };
   void lookAround();
+  void search();
   void choose();
   void confirm();
   void doubted();
@@ -154,9 +156,11 @@ class ClearFrameTask {
   std::optional<Key> chosen_;
   std::vector<GraspCandidate> candidates_;
   int overview_ = 0, failed_looks_ = 0, carried_ = 0;
-  int doubts_ = 0;         // near looks of this round that showed something else
-  int direction_ = 0;      // goes on when a direction has shown something wrong
-  double last_look_ = -1;  // its stamp [s]
+  int searches_ = 0;        // since something was carried out
+  bool searching_ = false;  // the next look is one
+  int doubts_ = 0;          // near looks of this round that showed something else
+  int direction_ = 0;       // goes on when a direction has shown something wrong
+  double last_look_ = -1;   // its stamp [s]
 };
 
 }  // namespace monocular_eye_hand
