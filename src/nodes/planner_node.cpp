@@ -27,7 +27,8 @@ Result toMessage(const WorkResult& work) {
   result.reason = work.reason;
   result.planning_time = work.planning_time;
   result.motion_time = work.motion_time;
-  if constexpr (std::is_same_v<Result, MoveResult>) result.reached = work.reached;
+  if constexpr (std::is_same_v<Result, MoveResult>)
+    result.reached = work.reached, result.stamp = ros::Time(work.stamp);
   return result;
 }
 

@@ -34,6 +34,7 @@ WorkResult PlannerWork::result(uint8_t outcome, const std::string& reason) const
   result.outcome = outcome;
   result.reason = reason;
   result.motion_time = driver_.motionTime();
+  result.stamp = driver_.jointStamp();
   return result;
 }
 

@@ -21,6 +21,7 @@ struct WorkResult {
   std::string reason;
   double planning_time = 0, motion_time = 0;  ///< [s]
   int reached = -1;                           ///< Move
+  double stamp = 0;                           ///< of the last joint state [s]
 };
 
 /// What runs beside an action.

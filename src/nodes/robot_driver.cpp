@@ -17,9 +17,6 @@ namespace {
 constexpr auto kPoll = std::chrono::milliseconds(10);
 constexpr double kStalledFor = 1.0;  // fingers that begin to open may still be said to be stalled [s, cell]
 
-/// Now, by the later of two witnesses: the clock may arrive after the states that it stamped.
-double later(const ros::Time& clock, double last_stamp) { return std::max(clock.toSec(), last_stamp); }
-
 std::string silence(const char* topic, const ros::WallTime& last, double longest) {
   if (last.isZero()) return std::string("no ") + topic + " yet: does the driver of the arm run?";
   const double since = (ros::WallTime::now() - last).toSec();
@@ -77,15 +74,29 @@ std::string RobotDriver::gripperSilence() const {
   return silentGripper();
 }
 
+double RobotDriver::latest(const ros::Time& clock) const {
+  return std::max(
+      {clock.toSec(), state_ ? state_->stamp : 0.0, gripper_ ? gripper_->header.stamp.toSec() : 0.0});
+}
+
 JointVector RobotDriver::joints() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait_for(lock, std::chrono::duration<double>(options_.joint_silence),
+                    [&] { return state_.has_value(); });
   const std::string silent = silentJoints();
   if (!silent.empty()) throw BadInput(silent);
   return state_->joints;
 }
 
-GripperState RobotDriver::gripper() const {
+double RobotDriver::jointStamp() const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  return state_ ? state_->stamp : 0;
+}
+
+GripperState RobotDriver::gripper() const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait_for(lock, std::chrono::duration<double>(options_.gripper_silence),
+                    [&] { return gripper_.has_value(); });
   const std::string silent = silentGripper();
   if (!silent.empty()) throw BadInput(silent);
   return *gripper_;
@@ -98,7 +109,7 @@ std::string RobotDriver::stop() {
   arm_command_.publish(nothing);
   const ros::WallTime begin = ros::WallTime::now();
   std::unique_lock<std::mutex> lock(mutex_);
-  const double from = later(told, state_ ? state_->stamp + 1e-6 : 0);
+  const double from = std::max(told.toSec(), state_ ? state_->stamp + 1e-6 : 0.0);
   while (ros::ok()) {
     if (state_ && state_->stamp >= from && speed_ <= options_.follow.stand_speed) return "";
     if ((ros::WallTime::now() - begin).toSec() > options_.stop_timeout) break;
@@ -119,7 +130,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
   const ros::Time start = ros::Time::now();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    follower_.emplace(trajectory, later(start, state_ ? state_->stamp : 0), options_.follow);
+    follower_.emplace(trajectory, latest(start), options_.follow);
   }
   arm_command_.publish(toMessage(trajectory));
   Drive drive;
@@ -176,7 +187,7 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
     return Drive{DriveEnd::kFault, reason};
   };
   std::unique_lock<std::mutex> lock(mutex_);
-  const double from = later(start, gripper_ ? gripper_->header.stamp.toSec() : 0);
+  const double from = latest(start);
   while (ros::ok()) {
     const std::string silent = silentGripper();
     if (!silent.empty()) return fault(silent);

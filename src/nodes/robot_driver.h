@@ -37,9 +37,10 @@ class RobotDriver {
  public:
   RobotDriver(const ExecutionOptions& options, double feedback_period);
 
-  /// Where the arm is. Throws BadInput naming the topic when it is silent.
+  /// Where the arm is. Waits for the first message; throws BadInput naming the topic when it is silent.
   JointVector joints() const;
   GripperState gripper() const;
+  double jointStamp() const;  ///< of the last joint state [s]; 0: none came
 
   Drive follow(const Trajectory& trajectory, const DriveWatch& watch);
   /// To this opening. A cancelled opening is finished first: fingers take a second.
@@ -55,6 +56,9 @@ class RobotDriver {
  private:
   void onJoints(const sensor_msgs::JointState& message);
   void onGripper(const GripperState& message);
+  /// Now, by the latest of three witnesses: they come by ways of their own, the clock may be last. With
+  /// mutex_ held.
+  double latest(const ros::Time& clock) const;
   std::string silentJoints() const;   // with mutex_ held
   std::string silentGripper() const;  // with mutex_ held
   /// Empty trajectory; waits until the arm stands. What went wrong with that, or "".
@@ -65,7 +69,7 @@ class RobotDriver {
   const ExecutionOptions options_;
   const ros::WallDuration feedback_period_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
+  mutable std::condition_variable changed_;
   std::optional<ArmState> state_;
   double speed_ = 0;  // of the fastest joint [rad/s]
   std::optional<GripperState> gripper_;

@@ -176,7 +176,10 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
     look.reason = "the camera did not get there: " + moved.reason;
     return look;
   }
-  return waitForView(ros::Time::now() + ros::Duration(parameters_.settle));
+  // The clock may be later to arrive than the states it stamped: a view from before the motion must not
+  // count.
+  const ros::Time stands = std::max(ros::Time::now(), move_.getResult()->stamp);
+  return waitForView(stands + ros::Duration(parameters_.settle));
 }
 
 std::string RosTaskWorld::silence(const ros::Time& after) const {

@@ -57,7 +57,7 @@ struct TimingOptions {
 struct PlanningOptions {
   double padding = 0.003;        ///< the arm keeps so far from everything on free paths [m]
   double near_padding = 0.0005;  ///< the same on the straight lines to and from an object [m]
-  double near_speed = 0.1;       ///< of gripper_tcp on those lines [m/s]
+  double near_speed = 0.2;       ///< of gripper_tcp on those lines [m/s]
   int candidates = 24;           ///< joint solutions tried per pose, cheapest first
   PathOptions path;
   CartesianOptions cartesian;
