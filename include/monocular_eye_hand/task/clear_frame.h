@@ -16,7 +16,7 @@ struct ClearFrameOptions {
   double frame_margin = 0.02;   ///< an object counts as inside up to so far outside the frame's border [m]
   int overviews = 2;            ///< views of the whole frame in the first round
   int overviews_again = 1;      ///< the same in every further round
-  int searches = 2;             ///< nearer views of the frame before it counts as cleared
+  int searches = 4;             ///< nearer views of the frame before it counts as cleared
   int look_attempts = 3;        ///< a view that fails so often in a row ends the task
   int confirm_views = 2;        ///< an object that so many views agree on is picked without a near look
   int near_looks = 3;           ///< per object and round, until its pose is sure enough
