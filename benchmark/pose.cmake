@@ -1,2 +1,10 @@
 room_benchmark(pose SOURCES pose_benchmark.cpp)
 target_include_directories(bench_pose PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
+# Three points, beside OpenCV's AP3P.
+room_benchmark(p3p ROOM pose SOURCES p3p_benchmark.cpp p3p_problems.cpp p3p_peer.cpp p3p_reference.cpp
+  LINK opencv_calib3d opencv_core)
+target_include_directories(bench_p3p PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
+# Refinement, beside Ceres.
+find_package(Ceres REQUIRED)
+room_benchmark(refine ROOM pose SOURCES refine_benchmark.cpp refine_peer.cpp LINK Ceres::ceres)
+target_include_directories(bench_refine PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
