@@ -8,3 +8,6 @@ target_include_directories(bench_p3p PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
 find_package(Ceres REQUIRED)
 room_benchmark(refine ROOM pose SOURCES refine_benchmark.cpp refine_peer.cpp LINK Ceres::ceres)
 target_include_directories(bench_refine PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
+# A circle and a point.
+room_benchmark(circle ROOM pose SOURCES circle_benchmark.cpp p3p_problems.cpp)
+target_include_directories(bench_circle PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
