@@ -22,6 +22,9 @@
 namespace monocular_eye_hand {
 namespace {
 
+/// Residual of a double root, over the sum of the legs, below which rounding may have made it a complex pair.
+constexpr double kRounding = 2e-14;
+
 /// xx x^2 + yy y^2 + ww w^2 + 2 (xy x y + xw x w + yw y w).
 struct Form {
   double xx, yy, ww, xy, xw, yw;
@@ -150,6 +153,7 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
   const double altitude2 = t.altitude * t.altitude, inverse_altitude = 1 / t.altitude, f = t.foot,
                g = 1 - t.foot;
   double step = 1;
+  bool rounding = false;  // the residual is made of it
   for (int i = 0; i < 10; ++i) {
     const Eigen::Vector3d p1 = legs[0] * j[0], p2 = legs[1] * j[1], p3 = legs[2] * j[2];
     const Eigen::Vector3d q = p2 - p1, h = p3 - (g * p1 + f * p2);
@@ -160,10 +164,8 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
     const double r1 = 0.5 * (q.squaredNorm() - 1), r2 = q.dot(h), r3 = 0.5 * (h.squaredNorm() - altitude2);
     const double sum = legs[0] + legs[1] + legs[2];
     const double residual = std::max({std::abs(r1), std::abs(r2), std::abs(r3) * inverse_altitude});
-    if (residual < 4e-16 * sum) {  // a step would be made of rounding
-      step = 0;
-      break;
-    }
+    if (residual < 4e-16 * sum) return legs.minCoeff() > 0;  // a step would be made of rounding
+    rounding = residual < kRounding * sum;
     // rows: (-q1, q2, 0), (-h1 - g q1, h2 - f q2, q3), (-g h1, -f h2, h3)
     const double b1 = -h1 - g * q1, b2 = h2 - f * q2, c1 = -g * h1, c2 = -f * h2;
     const double m1 = b2 * h3 - q3 * c2, m2 = b1 * h3 - q3 * c1;
@@ -175,10 +177,7 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
     const double d3 =
         (r1 * (b1 * c2 - b2 * c1) + r2 * (q1 * c2 + q2 * c1) - r3 * (q1 * b2 + q2 * b1)) * inverse;
     const double size = std::max({std::abs(d1), std::abs(d2), std::abs(d3)});
-    if (!(size < 1e8 * residual)) {  // singular: a double root is as good as it can be found
-      if (residual < 1e-12 * sum) step = 0;
-      break;
-    }
+    if (!(size < 1e8 * residual)) break;     // singular: a double root is as good as it can be found
     if (step < 1e-7 && size >= step) break;  // rounding
     step = size;
     legs[0] -= d1;
@@ -188,10 +187,10 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
       const Eigen::Vector3d s1 = d1 * j[0], s2 = d2 * j[1];
       root->base += s1 - s2;
       root->height += g * s1 + f * s2 - d3 * j[2];
-      break;
+      return legs.minCoeff() > 0;
     }
   }
-  return step < 1e-6 && legs.minCoeff() > 0;
+  return rounding && legs.minCoeff() > 0;
 }
 
 }  // namespace
