@@ -24,7 +24,7 @@ struct Solver {
 const std::vector<Solver>& solvers() {
   static const std::vector<Solver> all = {
       {"seed's quartic", [](const P3PProblem& p) { return seedP3P(p, false); }},
-      {"the same, polished", [](const P3PProblem& p) { return seedP3P(p, true); }},
+      {"polished quartic", [](const P3PProblem& p) { return seedP3P(p, true); }},
       {"solveP3P",
        [](const P3PProblem& p) {
          const PoseSolutions s = solveP3P(p.bearings, p.points);
