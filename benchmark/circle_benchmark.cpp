@@ -2,12 +2,11 @@
 // first, time.
 #include <benchmark/benchmark.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "circle_image.h"
 #include "monocular_eye_hand/pose/circle_pose.h"
 #include "p3p_problems.h"
 
@@ -16,9 +15,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Matrix3l = Eigen::Matrix<long double, 3, 3>;
-using Matrix2l = Eigen::Matrix<long double, 2, 2>;
-using Vector2l = Eigen::Matrix<long double, 2, 1>;
 
 constexpr int kProblems = 20000;
 
@@ -28,29 +24,6 @@ struct Problem {
   Ellipse ellipse;
   Vector2d uv;
 };
-
-/// The image of the circle, calculated in long double so that only the rounding of its five parameters is
-/// left.
-Ellipse imageOf(const CircleAndPoint& object, const Rigid3& pose, const Camera& camera) {
-  const Vector3d normal = pose.rotation * object.axis, u = normal.unitOrthogonal(), v = normal.cross(u);
-  Matrix3l k = Matrix3l::Zero(), plane;
-  k(0, 0) = camera.fx, k(1, 1) = camera.fy, k(0, 2) = camera.cx, k(1, 2) = camera.cy, k(2, 2) = 1;
-  plane << (object.radius * u).cast<long double>(), (object.radius * v).cast<long double>(),
-      (pose * object.centre).cast<long double>();
-  const Matrix3l inverse = (k * plane).inverse();
-  const Matrix3l conic =
-      inverse.transpose() * Eigen::Matrix<long double, 3, 1>(1, 1, -1).asDiagonal() * inverse;
-  const Matrix2l a = conic.topLeftCorner<2, 2>();
-  const Vector2l centre = -a.inverse() * conic.topRightCorner<2, 1>();
-  const long double level = -(conic(2, 2) + centre.dot(conic.topRightCorner<2, 1>()));
-  const long double half = (a(0, 0) + a(1, 1)) / 2, spread = std::hypot((a(0, 0) - a(1, 1)) / 2, a(0, 1));
-  Ellipse e;
-  e.centre = centre.cast<double>();
-  e.a = double(std::sqrt(level / (half - spread)));
-  e.b = double(std::sqrt(level / (half + spread)));
-  e.angle = double(std::atan2(-2 * a(0, 1), a(1, 1) - a(0, 0)) / 2);
-  return e;
-}
 
 Problem draw(Random& random, const Camera& camera, double tilt) {
   Problem p;
@@ -73,7 +46,8 @@ Problem draw(Random& random, const Camera& camera, double tilt) {
       (Eigen::AngleAxisd(uniform(random, 0, 2 * M_PI), normal).toRotationMatrix() * p.truth.rotation).eval();
   p.truth.translation =
       sight * (p.object.radius * uniform(random, 5, 40)) - p.truth.rotation * p.object.centre;
-  p.ellipse = imageOf(p.object, p.truth, camera);
+  p.ellipse =
+      imageOfCircle(p.truth * p.object.centre, p.truth.rotation * p.object.axis, p.object.radius, camera);
   p.uv = camera.project(p.truth * p.object.point);
   return p;
 }

@@ -26,26 +26,30 @@ struct Ring {
   Vector3d right, down;   // unit, normal to the ray
 
   /// Where the point is seen in the plane normal to the ray at distance 1: squared distance from the ray, and
-  /// Gauss-Newton's step towards it. Infinite behind the lens.
+  /// Newton's step to its minimum, Gauss-Newton's where it is not convex. Infinite behind the lens.
   double squaredDistance(double roll, double* step) const {
     const double c = std::cos(roll), s = std::sin(roll);
-    const Vector3d p = centre + c * u + s * v, dp = c * v - s * u;
+    const Vector3d turned = c * u + s * v, p = centre + turned, dp = c * v - s * u;
     const double depth = ray.dot(p);
     *step = 0;
     if (!(depth > 0)) return std::numeric_limits<double>::infinity();
-    const Vector2d offset = Vector2d(right.dot(p), down.dot(p)) / depth;
-    const Vector2d slope = (Vector2d(right.dot(dp), down.dot(dp)) - offset * ray.dot(dp)) / depth;
-    const double square = slope.squaredNorm();
-    if (square > 0) *step = std::clamp(-offset.dot(slope) / square, -kLargestStep, kLargestStep);
+    const double d_depth = ray.dot(dp);
+    const Vector2d offset = flat(p) / depth;
+    const Vector2d slope = (flat(dp) - offset * d_depth) / depth;
+    const Vector2d bend = (offset * ray.dot(turned) - flat(turned) - 2 * d_depth * slope) / depth;
+    const double square = slope.squaredNorm(), curvature = square + offset.dot(bend);
+    const double divisor = curvature > 0 ? curvature : square;
+    if (divisor > 0) *step = std::clamp(-offset.dot(slope) / divisor, -kLargestStep, kLargestStep);
     return offset.squaredNorm();
   }
+  Vector2d flat(const Vector3d& p) const { return {right.dot(p), down.dot(p)}; }
 };
 
 struct Roll {
   double angle = 0, squared_distance = std::numeric_limits<double>::infinity();
 };
 
-/// Gauss-Newton, quadratic where the ray can be met, as the right circle can.
+/// Newton from a start, with shorter steps while they do not help.
 Roll refined(const Ring& ring, double angle) {
   double step = 0;
   Roll roll{angle, ring.squaredDistance(angle, &step)};
