@@ -9,7 +9,11 @@ namespace monocular_eye_hand {
 namespace {
 
 using Long = long double;
+#ifdef __SIZEOF_FLOAT128__
 __extension__ using Quad = __float128;
+#else
+using Quad = long double;  // 113 bits where there is no __float128
+#endif
 
 struct QuadComplex {
   Quad re, im;
