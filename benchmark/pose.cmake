@@ -1,2 +1,20 @@
 room_benchmark(pose SOURCES pose_benchmark.cpp)
 target_include_directories(bench_pose PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
+# Three points, beside OpenCV's AP3P.
+room_benchmark(p3p ROOM pose SOURCES p3p_benchmark.cpp p3p_problems.cpp p3p_peer.cpp p3p_reference.cpp
+  LINK opencv_calib3d opencv_core)
+target_include_directories(bench_p3p PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
+# Refinement, beside Ceres.
+find_package(Ceres REQUIRED)
+room_benchmark(refine ROOM pose SOURCES refine_benchmark.cpp refine_peer.cpp LINK Ceres::ceres)
+target_include_directories(bench_refine PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
+# A circle and a point.
+room_benchmark(circle ROOM pose SOURCES circle_benchmark.cpp p3p_problems.cpp)
+target_include_directories(bench_circle PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
+# What rounding does to the seed's quartic.
+add_executable(p3p_rounding EXCLUDE_FROM_ALL p3p_rounding.cpp p3p_problems.cpp seed_p3p.cpp grant_hitchins.cpp)
+target_link_libraries(p3p_rounding PRIVATE monocular_eye_hand_pose)
+target_include_directories(p3p_rounding PRIVATE ${PROJECT_SOURCE_DIR}/test/pose)
+target_compile_options(p3p_rounding PRIVATE -Wall -Wextra)
+set_target_properties(p3p_rounding PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+add_dependencies(benchmarks p3p_rounding)

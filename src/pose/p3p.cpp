@@ -71,10 +71,13 @@ PoseSolutions solveP3P(const Eigen::Matrix3d& bearings, const Eigen::Matrix3d& p
   // Two vectors and their cross product on either side (seed 2.3.4): side 12, altitude, normal.
   const Eigen::Vector3d u = base * inverse, v = height / height_length, w = u.cross(v);
   const Eigen::Vector3d middle = p1 + 0.5 * base;
+  const double inverse_altitude = 1 / triangle.altitude;
   for (int i = 0; i < result.count; ++i) {
     const TetrahedronRoot& root = roots[i];
-    const Eigen::Vector3d x = root.base.normalized();
-    const Eigen::Vector3d y = (root.height - x * x.dot(root.height)).normalized(), z = x.cross(y);
+    // of length 1 up to rounding: one Newton step normalises, neither root nor quotient needed
+    const Eigen::Vector3d x = root.base * (1.5 - 0.5 * root.base.squaredNorm());
+    const Eigen::Vector3d flat = inverse_altitude * (root.height - x * x.dot(root.height));
+    const Eigen::Vector3d y = flat * (1.5 - 0.5 * flat.squaredNorm()), z = x.cross(y);
     Rigid3& pose = result.camera_from_object[i];
     pose.rotation.noalias() = x * u.transpose();
     pose.rotation.noalias() += y * v.transpose();

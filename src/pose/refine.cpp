@@ -1,6 +1,7 @@
 #include "monocular_eye_hand/pose/refine.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -84,6 +85,20 @@ bool fullRank(const Matrix6d& h) {
   return ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 1e-10;
 }
 
+/// Inverse of a singular information matrix with a weak prior, 1 m and pi / sqrt(3) rad. What rounding leaves
+/// in the open directions may exceed the prior by far, so they are told by their eigenvalues.
+Matrix6d inverseWithPrior(const Matrix6d& information) {
+  Vector6d prior;
+  prior << 1, 1, 1, Eigen::Vector3d::Constant(std::sqrt(kFreeVariance));
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(prior.asDiagonal() * information * prior.asDiagonal());
+  const double open = 1e-12 * eigen.eigenvalues()[5];
+  Vector6d variances;
+  for (int i = 0; i < 6; ++i)
+    variances[i] = eigen.eigenvalues()[i] > open ? 1 / (1 + eigen.eigenvalues()[i]) : 1;
+  const Matrix6d axes = prior.asDiagonal() * eigen.eigenvectors();
+  return axes * variances.asDiagonal() * axes.transpose();
+}
+
 void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* result) {
   const Rigid3& pose = result->camera_from_object;
   Matrix6d h = at.hessian;
@@ -94,10 +109,9 @@ void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* 
   result->well_posed = fullRank(h);
   const double variance = at.variance(unknowns);
   if (variance > 0) h /= variance;
-  if (!result->well_posed)
-    for (int i = 0; i < 6; ++i) h(i, i) += i < 3 ? 1.0 : 1 / kFreeVariance;
   if (axis.present) h(5, 5) = 1;
-  Matrix6d inverse = Eigen::LDLT<Matrix6d>(h).solve(Matrix6d::Identity());
+  Matrix6d inverse = result->well_posed ? Matrix6d(Eigen::LDLT<Matrix6d>(h).solve(Matrix6d::Identity()))
+                                        : inverseWithPrior(h);
   if (variance == 0 && result->well_posed) inverse.setZero();  // exact matches
   if (axis.present) {
     inverse.row(5).setZero();

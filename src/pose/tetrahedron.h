@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace monocular_eye_hand {
 
@@ -25,6 +26,10 @@ int solveBaseTriangle(const Eigen::Vector3d* j, const BaseTriangle& triangle, Te
 struct TriangleOrder {
   int first, second, third;
 };
-TriangleOrder longestSideFirst(double a12, double a13, double a23);
+inline TriangleOrder longestSideFirst(double a12, double a13, double a23) {
+  static constexpr TriangleOrder kOrders[3] = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}};
+  const bool by13 = a13 > a12, by23 = a23 > std::max(a12, a13);
+  return kOrders[by23 ? 2 : int(by13)];
+}
 
 }  // namespace monocular_eye_hand

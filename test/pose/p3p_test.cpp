@@ -295,6 +295,89 @@ TEST(P3P, TurningTheCameraTurnsThePose) {
   }
 }
 
+/// Every pose of `a`, times `right`, is one of `b`.
+void expectSamePoses(const PoseSolutions& a, const PoseSolutions& b, const Rigid3& right,
+                     double tolerance = 1e-7) {
+  ASSERT_EQ(a.count, b.count);
+  for (int k = 0; k < a.count; ++k) {
+    double best = 1;
+    for (int m = 0; m < b.count; ++m)
+      best = std::min(best, error(b.camera_from_object[m], a.camera_from_object[k] * right));
+    EXPECT_LT(best, tolerance);
+  }
+}
+
+TEST(P3P, MovingTheObjectsFrameMovesThePose) {
+  Random random(11);
+  for (int i = 0; i < 500; ++i) {
+    const Problem p = seen(randomTriangle(random, 0.1), {randomRotation(random), inView(random, 3)});
+    const Rigid3 move{randomRotation(random), randomDirection(random)};
+    Matrix3d moved;
+    for (int k = 0; k < 3; ++k) moved.col(k) = move * Vector3d(p.points.col(k));
+    expectSamePoses(solveP3P(p.bearings, p.points), solveP3P(p.bearings, moved), move.inverse());
+  }
+}
+
+TEST(P3P, OrderOfThePointsDoesNotMatter) {
+  Random random(12);
+  const int orders[5][3] = {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  for (int i = 0; i < 500; ++i) {
+    const Problem p = seen(randomTriangle(random, 0.1), {randomRotation(random), inView(random, 3)});
+    const PoseSolutions one = solveP3P(p.bearings, p.points);
+    for (const auto& order : orders) {
+      Matrix3d points, bearings;
+      for (int k = 0; k < 3; ++k)
+        points.col(k) = p.points.col(order[k]), bearings.col(k) = p.bearings.col(order[k]);
+      expectSamePoses(one, solveP3P(bearings, points), {});
+    }
+  }
+}
+
+TEST(P3P, UnitOfLengthDoesNotMatter) {
+  Random random(13);
+  for (const double scale : {1e-6, 1e-3, 1e3, 1e6})
+    for (int i = 0; i < 200; ++i) {
+      const Problem p = seen(randomTriangle(random, 0.1), {randomRotation(random), inView(random, 3)});
+      PoseSolutions one = solveP3P(p.bearings, p.points);
+      for (int k = 0; k < one.count; ++k) one.camera_from_object[k].translation *= scale;
+      expectSamePoses(one, solveP3P(p.bearings, scale * p.points), {});
+    }
+}
+
+TEST(P3P, IdenticalPointsAndBearings) {
+  Random random(14);
+  for (int i = 0; i < 200; ++i) {
+    const Problem p = seen(randomTriangle(random, 0.2), {randomRotation(random), inView(random, 3)});
+    for (int k = 0; k < 3; ++k) {
+      Matrix3d points = p.points;
+      points.col(k) = points.col((k + 1) % 3);
+      EXPECT_EQ(solveP3P(p.bearings, points).count, 0);
+      // Two points on one ray: poses may exist, and are then sound.
+      Problem on_one_ray = p;
+      on_one_ray.bearings.col(k) = on_one_ray.bearings.col((k + 1) % 3);
+      expectSound(on_one_ray);
+    }
+  }
+}
+
+TEST(P3P, TwoPointsOnOneRayAreFound) {
+  Random random(15);
+  int found = 0;
+  for (int i = 0; i < 500; ++i) {
+    Matrix3d in_camera;
+    in_camera.col(0) = inView(random, uniform(random, 2, 4));
+    in_camera.col(1) = in_camera.col(0) * uniform(random, 1.2, 2);
+    in_camera.col(2) = inView(random, uniform(random, 2, 4));
+    const Rigid3 truth{randomRotation(random), randomDirection(random)};
+    Problem p{truth.rotation.transpose() * (in_camera.colwise() - truth.translation), in_camera, truth};
+    p.bearings.colwise().normalize();
+    p.bearings.col(1) = p.bearings.col(0);
+    found += bestError(p) < 1e-6;
+    expectSound(p);
+  }
+  EXPECT_GE(found, 495);
+}
+
 TEST(P3P, NoSolutionIsAResult) {
   Random random(10);
   const Problem p = seen(randomTriangle(random, 0.2), {randomRotation(random), inView(random, 3)});

@@ -324,6 +324,58 @@ TEST(Refine, BadNumbersNeverComeOut) {
   expectRefused({Matrix3d::Identity(), Vector3d(0, 0, -1)}, camera, lines, points);  // all behind the camera
 }
 
+TEST(Refine, TurningTheImageTurnsThePose) {
+  Random random(30);
+  Camera camera = testCamera();
+  camera.fy = camera.fx;
+  const Vector2d middle(camera.cx, camera.cy);
+  for (int draw = 0; draw < 50; ++draw) {
+    const Rigid3 truth = randomPose(random), start = perturbed(truth, randomStep(random, 0.004, 0.02));
+    const double angle = uniform(random, 0, 2 * M_PI);
+    const Rigid3 turn{expSO3({0, 0, angle}), Vector3d::Zero()};
+    const Eigen::Rotation2Dd turn2(angle);
+    const auto lines = boxEdges(truth, camera, 3, 0.3, random);
+    const auto points = randomPoints(truth, camera, 6, 0.3, random);
+    auto turned_lines = lines;
+    auto turned_points = points;
+    for (LineMatch& m : turned_lines) m.uv = middle + turn2 * (m.uv - middle), m.normal = turn2 * m.normal;
+    for (PointMatch& m : turned_points) m.uv = middle + turn2 * (m.uv - middle);
+    RefineOptions options;
+    options.max_iterations = 50;
+    const RefinedPose one = refinePose(start, camera, lines, points, options);
+    const RefinedPose two = refinePose(turn * start, camera, turned_lines, turned_points, options);
+    EXPECT_LT(difference(turn * one.camera_from_object, two.camera_from_object).norm(), 1e-6);
+    Matrix6d both = Matrix6d::Zero();
+    both.topLeftCorner<3, 3>() = both.bottomRightCorner<3, 3>() = turn.rotation;
+    EXPECT_LT((both * one.covariance * both.transpose() - two.covariance).norm(),
+              1e-3 * two.covariance.norm());
+  }
+}
+
+TEST(Refine, IdenticalAndCollinearPointsFixNoPose) {
+  Random random(31);
+  const Camera camera = testCamera();
+  for (int draw = 0; draw < 50; ++draw) {
+    const Rigid3 truth = randomPose(random);
+    for (const bool identical : {true, false}) {
+      std::vector<PointMatch> points;
+      for (int i = 0; i < 8; ++i) {
+        PointMatch m;
+        m.p_in_object = Vector3d(0.01, 0.02, 0.03) + (identical ? 0.0 : 0.01 * i) * Vector3d(1, 2, -1);
+        m.uv = camera.project(truth * m.p_in_object);
+        points.push_back(m);
+      }
+      const RefinedPose found =
+          refinePose(perturbed(truth, randomStep(random, 0.002, 0.01)), camera, {}, points);
+      EXPECT_FALSE(found.well_posed);
+      EXPECT_TRUE(found.camera_from_object.isFinite());
+      EXPECT_TRUE(found.covariance.allFinite());
+      const Eigen::Vector3d turns = found.covariance.diagonal().tail(3);
+      EXPECT_GT(turns.sum(), 1);  // one is open
+    }
+  }
+}
+
 TEST(Refine, OptionsAreChecked) {
   RefineOptions options;
   options.check();
