@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kArcFitPoints = 32;
+constexpr int kArcFitPoints = 32, kSettleFitPoints = 160;
 
 // A piece of the polygon that approximates a trace.
 struct Chord {
@@ -70,14 +70,12 @@ class ArcFinder {
     return end;
   }
 
-  EllipseFit fit(size_t begin, size_t end) const {
-    const std::vector<PointRange> range{{chords_[begin].begin, chords_[end - 1].end - chords_[begin].begin}};
-    const EllipseFit direct = fitEllipseDirect(edges_.points, range, kArcFitPoints);
-    if (!direct.valid) return direct;
+  EllipseFit fit(size_t begin, size_t end) {
+    const PointRange range{chords_[begin].begin, chords_[end - 1].end - chords_[begin].begin};
+    fit_points_.assign(edges_.points, &range, 1, kArcFitPoints);
+    const EllipseFit direct = fitEllipseDirect(fit_points_);
     // What the direct fit misses by far no refinement will save.
-    const EllipseFit first = refineEllipse(edges_.points, range, direct.ellipse, kArcFitPoints, 0);
-    if (!first.valid || first.rms > 3 * tolerance_) return first;
-    return refineEllipse(edges_.points, range, direct.ellipse, kArcFitPoints, 3);
+    return direct.valid ? refineEllipse(fit_points_, direct.ellipse, 3, 3 * tolerance_) : direct;
   }
 
   bool believable(const EllipseFit& f, size_t begin, size_t end) const {
@@ -102,8 +100,9 @@ class ArcFinder {
   // Accepts the run, or the longer part after dropping the end chord whose loss helps more, or its two
   // halves.
   void tryRun(size_t begin, size_t end, int depth) {
-    while (end - begin >= 2 && worthTrying(begin, end)) {
-      const EllipseFit whole = fit(begin, end);
+    if (end - begin < 2 || !worthTrying(begin, end)) return;
+    EllipseFit whole = fit(begin, end);
+    for (;;) {
       if (believable(whole, begin, end)) {
         found_.push_back({chords_[begin].begin, chords_[end - 1].end, whole});
         return;
@@ -118,6 +117,8 @@ class ArcFinder {
       const EllipseFit head = fit(begin, end - 1), tail = fit(begin + 1, end);
       const bool drop_tail = !tail.valid || (head.valid && head.chi2 / head.count < tail.chi2 / tail.count);
       drop_tail ? --end : ++begin;
+      whole = drop_tail ? head : tail;
+      if (!worthTrying(begin, end)) return;
     }
   }
 
@@ -134,15 +135,16 @@ class ArcFinder {
   }
 
   // Moves the ends of an arc to where the trace leaves its ellipse, and fits again.
-  void settle(Found* arc, int low, int high) const {
+  void settle(Found* arc, int low, int high) {
     for (int round = 0; round < 8; ++round) {  // each round may see a little farther
       const int begin = arc->begin, end = arc->end;
       while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->begin)) ++arc->begin;
       while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->end - 1)) --arc->end;
       while (arc->begin > low && onEllipse(arc->fit, arc->begin - 1)) --arc->begin;
       while (arc->end < high && onEllipse(arc->fit, arc->end)) ++arc->end;
-      const EllipseFit again =
-          refineEllipse(edges_.points, {{arc->begin, arc->end - arc->begin}}, arc->fit.ellipse, 160, 6);
+      const PointRange range{arc->begin, arc->end - arc->begin};
+      fit_points_.assign(edges_.points, &range, 1, kSettleFitPoints);
+      const EllipseFit again = refineEllipse(fit_points_, arc->fit.ellipse, 6);
       if (again.valid) arc->fit = again;
       if (begin == arc->begin && end == arc->end) break;
     }
@@ -187,6 +189,7 @@ class ArcFinder {
   const double correlation_length_;
   const FeatureOptions& options_;
   LineSums sums_;
+  FitPoints fit_points_;
   double tolerance_ = 0;
   std::vector<Chord> chords_;
   std::vector<double> turned_;  // direction of each chord, unwrapped

@@ -117,10 +117,11 @@ class ArcJoiner {
     fit->covariance *= excess * std::max(1.0, correlation_length_) / points_per_used;
   }
 
-  EllipseFit fitGroup(const std::vector<int>& group, const Ellipse& start) const {
+  EllipseFit fitGroup(const std::vector<int>& group, const Ellipse& start) {
     int total = 0;
     for (int i : group) total += arcs_[i].count;
-    EllipseFit fit = refineEllipse(points_, ranges(group), start, kFitPoints, 10);
+    fit_points_.assign(points_, ranges(group), kFitPoints);
+    EllipseFit fit = refineEllipse(fit_points_, start, 10);
     if (fit.valid) scaleCovariance(&fit, double(total) / fit.count);
     return fit;
   }
@@ -212,6 +213,7 @@ class ArcJoiner {
   const double correlation_length_;
   const FeatureOptions& options_;
   const ArcGrid grid_;
+  FitPoints fit_points_;
   std::vector<char> used_;
 };
 

@@ -1,15 +1,12 @@
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "monocular_eye_hand/features/features.h"
+#include "monocular_eye_hand/features/fit_points.h"
 
 namespace monocular_eye_hand {
-
-/// A contiguous run points[first .. first + count).
-struct PointRange {
-  int first = 0, count = 0;
-};
 
 struct EllipseFit {
   bool valid = false;
@@ -20,15 +17,15 @@ struct EllipseFit {
   int count = 0;                           ///< points used
 };
 
-/// Direct least squares fit (Halir and Flusser 1998) to at most `max_points` of the points, evenly chosen.
-EllipseFit fitEllipseDirect(const std::vector<EdgePoint>& points, const std::vector<PointRange>& ranges,
-                            int max_points);
+/// Direct least squares fit (Halir and Flusser 1998).
+EllipseFit fitEllipseDirect(const FitPoints& points);
 
 /// Gauss-Newton on the approximate distance F / |grad F| (Sampson 1982) with inverse variances and Tukey
 /// weights, started from `start`. Blur moves the steepest point of a curved edge inwards by blur^2 / (2
-/// radius of curvature); points are moved back by that amount.
-EllipseFit refineEllipse(const std::vector<EdgePoint>& points, const std::vector<PointRange>& ranges,
-                         const Ellipse& start, int max_points, int iterations);
+/// radius of curvature); points are moved back by that amount. A start that misses the points by more than
+/// `give_up_rms` [px] is returned as it is, without a covariance.
+EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iterations,
+                         double give_up_rms = std::numeric_limits<double>::infinity());
 
 /// Approximate signed distance (positive outside) and outward unit normal at a point.
 struct EllipseDistance {

@@ -1,17 +1,18 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "monocular_eye_hand/features/features.h"
 
 namespace monocular_eye_hand {
 
-/// Standard deviation of an edge point as the fits use it: its own and what blur, rounding and real edges
-/// add.
-inline double fitSigma(const EdgePoint& point) {
+/// Variance of an edge point as the fits use it: its own and what blur, rounding and real edges add.
+inline double fitVariance(const EdgePoint& point) {
   constexpr double kModelError = 0.07;  // px
-  return std::sqrt(double(point.sigma) * point.sigma + kModelError * kModelError);
+  return double(point.sigma) * point.sigma + kModelError * kModelError;
 }
+inline double fitSigma(const EdgePoint& point) { return std::sqrt(fitVariance(point)); }
 
 /// Weighted total least squares line.
 struct LineFit {
