@@ -81,20 +81,25 @@ class ArcFinder {
   bool believable(const EllipseFit& f, size_t begin, size_t end) const {
     if (!f.valid || f.ellipse.b < 0.7 * options_.min_ellipse_axis) return false;
     if (f.rms > std::max(0.3, 0.5 * tolerance_)) return false;
-    // Minimum description length against the straight pieces: chi2 / 2 plus about six nats per number.
-    const int first = chords_[begin].begin, last = chords_[end - 1].end;
-    double lines = 0;
-    for (size_t i = begin; i < end; ++i) lines += sums_.chi2(chords_[i].begin, chords_[i].end);
-    const double points_per_used = double(last - first) / f.count;
-    const double arc = f.chi2 * points_per_used;
-    const double line_cost = 12.0 * double(end - begin), arc_cost = 30.0;
-    return 0.5 * arc / correlation_length_ + arc_cost < 0.5 * lines / correlation_length_ + line_cost;
+    const double points_per_used = double(chords_[end - 1].end - chords_[begin].begin) / f.count;
+    return 0.5 * f.chi2 * points_per_used / correlation_length_ + kArcCost < polygonCost(begin, end);
   }
 
-  // Enough points, and a turn between the middles of the end chords that leaves a chance of the least sweep.
+  // Minimum description length [nats] of the straight pieces, chi2 / 2 plus about six per number; an arc has
+  // to be shorter.
+  static constexpr double kArcCost = 30.0, kChordCost = 12.0;
+  double polygonCost(size_t begin, size_t end) const {
+    double lines = 0;
+    for (size_t i = begin; i < end; ++i) lines += sums_.chi2(chords_[i].begin, chords_[i].end);
+    return 0.5 * lines / correlation_length_ + kChordCost * double(end - begin);
+  }
+
+  // Enough points, a turn between the middles of the end chords that leaves a chance of the least sweep, and
+  // a polygon that an arc without residuals would beat.
   bool worthTrying(size_t begin, size_t end) const {
     return chords_[end - 1].end - chords_[begin].begin >= 8 &&
-           std::fabs(turned_[end - 1] - turned_[begin]) > 0.6 * options_.min_arc_sweep;
+           std::fabs(turned_[end - 1] - turned_[begin]) > 0.6 * options_.min_arc_sweep &&
+           kArcCost < polygonCost(begin, end);
   }
 
   // Accepts the run, or the longer part after dropping the end chord whose loss helps more, or its two

@@ -53,11 +53,24 @@ class PointFinder {
 
   void scan(int y, const Row& above, const Row& here, const Row& below) {
     const float* m = here.magnitude.data();
-    for (int x = kBorder; x + kBorder < edges_.cols; ++x)
-      if (m[x] >= threshold_) test(x, y, above, here, below);
+    const int end = edges_.cols - kBorder;
+    for (int x = kBorder; x < end; x += kRun) {
+      const int stop = std::min(end, x + kRun);
+      if (stop - x == kRun && !anyAbove(m + x)) continue;
+      for (int k = x; k < stop; ++k)
+        if (m[k] >= threshold_) test(k, y, above, here, below);
+    }
   }
 
  private:
+  static constexpr int kRun = 16;  // pixels looked at together
+
+  bool anyAbove(const float* m) const {
+    int any = 0;
+    for (int k = 0; k < kRun; ++k) any |= m[k] >= threshold_;
+    return any != 0;
+  }
+
   void test(int x, int y, const Row& above, const Row& here, const Row& below) {
     const float m = here.magnitude[x], gx = here.dx[x], gy = here.dy[x];
     const Along along =

@@ -18,32 +18,34 @@ using Matrix5d = Eigen::Matrix<double, 5, 5>;
 class Cholesky5 {
  public:
   explicit Cholesky5(const Matrix5d& m) {
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j <= i; ++j) {
+    for (int i = 0; i < 5; ++i) {
+      for (int j = 0; j < i; ++j) {
         double sum = m(i, j);
-        for (int k = 0; k < j; ++k) sum -= l_(i, k) * l_(j, k);
-        l_(i, j) = i == j ? std::sqrt(sum) : sum / l_(j, j);  // NaN when not positive definite
+        for (int k = 0; k < j; ++k) sum -= l_[i][k] * l_[j][k];
+        l_[i][j] = sum * inverse_[j];
       }
+      double pivot = m(i, i);
+      for (int k = 0; k < i; ++k) pivot -= l_[i][k] * l_[i][k];
+      positive_ = positive_ && pivot > 0;
+      inverse_[i] = 1 / std::sqrt(pivot);
+    }
   }
+  bool positive() const { return positive_; }
   Vector5d solve(Vector5d v) const {
     for (int i = 0; i < 5; ++i) {
-      for (int k = 0; k < i; ++k) v[i] -= l_(i, k) * v[k];
-      v[i] /= l_(i, i);
+      for (int k = 0; k < i; ++k) v[i] -= l_[i][k] * v[k];
+      v[i] *= inverse_[i];
     }
     for (int i = 4; i >= 0; --i) {
-      for (int k = i + 1; k < 5; ++k) v[i] -= l_(k, i) * v[k];
-      v[i] /= l_(i, i);
+      for (int k = i + 1; k < 5; ++k) v[i] -= l_[k][i] * v[k];
+      v[i] *= inverse_[i];
     }
     return v;
   }
-  Matrix5d inverse() const {
-    Matrix5d m;
-    for (int k = 0; k < 5; ++k) m.col(k) = solve(Vector5d::Unit(k));
-    return 0.5 * (m + m.transpose());
-  }
 
  private:
-  Matrix5d l_ = Matrix5d::Zero();
+  double l_[5][5], inverse_[5];  // below the diagonal; inverse of the diagonal
+  bool positive_ = true;
 };
 
 // Eigenvalues of a matrix known to have three real ones (roots of its characteristic polynomial, Viete).
@@ -128,8 +130,10 @@ EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iter
     // to one radian.
     damped(4, 4) += 1.0;
     const Cholesky5 cholesky(damped);
+    if (!cholesky.positive()) return fit;
     if (it == iterations) {
-      fit.covariance = cholesky.inverse();
+      fit.information = damped;
+      fit.valid = std::isfinite(fit.ellipse.a);
       break;
     }
     Vector5d step = cholesky.solve(equations.g);
@@ -146,9 +150,14 @@ EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iter
     normalize(&fit.ellipse);
     if (length < 1e-4 && it + 1 < iterations) it = iterations - 1;
   }
-  const double worst = fit.covariance.diagonal().minCoeff();
-  fit.valid = fit.covariance.allFinite() && worst > 0 && std::isfinite(fit.ellipse.a);
   return fit;
+}
+
+Matrix5d covarianceOf(const EllipseFit& fit) {
+  const Cholesky5 cholesky(fit.information);
+  Matrix5d m;
+  for (int k = 0; k < 5; ++k) m.col(k) = cholesky.solve(Vector5d::Unit(k));
+  return 0.5 * (m + m.transpose());
 }
 
 }  // namespace monocular_eye_hand

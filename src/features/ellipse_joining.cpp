@@ -93,9 +93,14 @@ class ArcJoiner {
     return votes < 0;
   }
 
+  // A fit with the covariance of correlated neighbours and residuals as large as they are.
+  struct GroupFit : EllipseFit {
+    Eigen::Matrix<double, 5, 5> covariance;
+  };
+
   // Do the ends and the middle of an arc lie on the ellipse, as far as its covariance can tell, facing the
   // same way?
-  bool compatible(const EllipseFit& fit, bool bright_inside, int arc) const {
+  bool compatible(const GroupFit& fit, bool bright_inside, int arc) const {
     for (int k = 0; k <= 4; ++k) {
       const EdgePoint& p =
           points_[arcs_[arc].first + std::min(arcs_[arc].count - 1, arcs_[arc].count * k / 4)];
@@ -111,18 +116,16 @@ class ArcJoiner {
     return true;
   }
 
-  // Covariance of a fit with correlated neighbours and residuals as large as they are.
-  void scaleCovariance(EllipseFit* fit, double points_per_used) const {
-    const double excess = std::max(1.0, fit->chi2 / std::max(1, fit->count - 5));
-    fit->covariance *= excess * std::max(1.0, correlation_length_) / points_per_used;
-  }
-
-  EllipseFit fitGroup(const std::vector<int>& group, const Ellipse& start) {
+  GroupFit fitGroup(const std::vector<int>& group, const Ellipse& start) {
     int total = 0;
     for (int i : group) total += arcs_[i].count;
     fit_points_.assign(points_, ranges(group), kFitPoints);
-    EllipseFit fit = refineEllipse(fit_points_, start, 10);
-    if (fit.valid) scaleCovariance(&fit, double(total) / fit.count);
+    GroupFit fit;
+    static_cast<EllipseFit&>(fit) = refineEllipse(fit_points_, start, 10);
+    if (!fit.valid) return fit;
+    const double excess = std::max(1.0, fit.chi2 / std::max(1, fit.count - 5));
+    const double points_per_used = double(total) / fit.count;
+    fit.covariance = covarianceOf(fit) * excess * std::max(1.0, correlation_length_) / points_per_used;
     return fit;
   }
 
@@ -131,7 +134,7 @@ class ArcJoiner {
   void grow(int seed, std::vector<DetectedEllipse>* out) {
     if (std::fabs(arcs_[seed].sweep) < 0.8) return;
     std::vector<int> group{seed};
-    EllipseFit fit = fitGroup(group, arcs_[seed].ellipse);
+    GroupFit fit = fitGroup(group, arcs_[seed].ellipse);
     if (!fits(fit)) return;
     const bool bright = brightInside(fit.ellipse, seed);
     int tries = 0;
@@ -151,7 +154,7 @@ class ArcJoiner {
         if (++tries > kMaxJointFits) break;
         std::vector<int> larger = group;
         larger.push_back(i);
-        const EllipseFit joint = fitGroup(larger, fit.ellipse);
+        const GroupFit joint = fitGroup(larger, fit.ellipse);
         if (!fits(joint) || joint.chi2 / joint.count > 2.0 + 1.5 * fit.chi2 / fit.count) continue;
         if (!compatible(joint, bright, i)) continue;
         group = larger;
@@ -191,8 +194,7 @@ class ArcJoiner {
     return covered / all;
   }
 
-  bool describe(const std::vector<int>& group, const EllipseFit& fit, bool bright,
-                DetectedEllipse* out) const {
+  bool describe(const std::vector<int>& group, const GroupFit& fit, bool bright, DetectedEllipse* out) const {
     const Ellipse& e = fit.ellipse;
     if (e.b < options_.min_ellipse_axis || e.b < 0.08 * e.a) return false;
     out->coverage = coverage(group, e);

@@ -14,13 +14,13 @@ constexpr double kTukey = 4.0;  // standard deviations
 
 // Sum of products in kLanes interleaved parts: the order of the additions does not depend on the vector
 // width.
-inline double dot(const double* a, const double* b, int n) {
+MONOCULAR_EYE_HAND_INLINE double dot(const double* a, const double* b, int n) {
   double part[kLanes] = {};
   for (int i = 0; i < n; i += kLanes)
     for (int k = 0; k < kLanes; ++k) part[k] += a[i + k] * b[i + k];
   return (part[0] + part[1]) + (part[2] + part[3]);
 }
-inline double sum(const double* a, int n) {
+MONOCULAR_EYE_HAND_INLINE double sum(const double* a, int n) {
   double part[kLanes] = {};
   for (int i = 0; i < n; i += kLanes)
     for (int k = 0; k < kLanes; ++k) part[k] += a[i + k];
@@ -37,8 +37,9 @@ struct Axes {
   double u, v, c, s, a, b;
 };
 
-inline void fillBlock(const double* x, const double* y, const double* weight, const double* blur2, int n,
-                      const Axes& e, double robust_scale, Block* block) {
+MONOCULAR_EYE_HAND_INLINE void fillBlock(const double* x, const double* y, const double* weight,
+                                         const double* blur2, int n, const Axes& e, double robust_scale,
+                                         Block* block) {
   const double ia = 1 / (e.a * e.a), ib = 1 / (e.b * e.b), inverse_a = 1 / e.a, inverse_b = 1 / e.b;
   const double a2 = e.a * e.a, b2 = e.b * e.b, ab = e.a * e.b;
   const double tukey = 1 / (kTukey * kTukey * robust_scale * robust_scale);

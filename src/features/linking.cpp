@@ -1,6 +1,7 @@
 #include "monocular_eye_hand/features/linking.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -22,8 +23,11 @@ class Linker {
     // The second round gives points that lost their neighbour to a better one another chance.
     for (int round = 0; round < 2; ++round)
       for (int i = 0; i < int(edges_.points.size()); ++i) {
-        if (next_[i] < 0) seek(i, 1);
-        if (previous_[i] < 0) seek(i, -1);
+        if (next_[i] >= 0 && previous_[i] >= 0) continue;
+        Neighbours found;
+        look(i, 1, &found);
+        if (next_[i] < 0) seek(i, 1, &found);
+        if (previous_[i] < 0) seek(i, -1, &found);
       }
     for (int i = 0; i < int(edges_.points.size()); ++i)
       if (next_[i] < 0 && previous_[i] >= 0) bridge(i);
@@ -32,26 +36,73 @@ class Linker {
   const std::vector<int>& previous() const { return previous_; }
 
  private:
-  // Cost of b as successor of a: distance plus departure from both tangents; kNoLink when b does not continue
-  // a.
-  float cost(int a, int b) const {
+  // Cost of linking two points: distance plus departure from both tangents; kNoLink when neither continues
+  // the other. `sign` is 1 when b continues a, -1 when a continues b: the cost is the same.
+  float cost(int a, int b, int* sign) const {
     const EdgePoint &p = edges_.points[a], &q = edges_.points[b];
     const float dx = q.uv.x() - p.uv.x(), dy = q.uv.y() - p.uv.y();
     const float forward_a = -p.normal.y() * dx + p.normal.x() * dy;
     const float forward_b = -q.normal.y() * dx + q.normal.x() * dy;
-    const float turn = p.normal.dot(q.normal);
-    if (forward_a < 0.2f || forward_b < 0.2f || turn < 0.3f) return kNoLink;
+    const bool after = !(forward_a < 0.2f || forward_b < 0.2f);
+    const bool before = !(forward_a > -0.2f || forward_b > -0.2f);
+    *sign = after ? 1 : before ? -1 : 0;
+    if (*sign == 0 || p.normal.dot(q.normal) < 0.3f) return kNoLink;
     const float aside =
         std::fabs(p.normal.x() * dx + p.normal.y() * dy) + std::fabs(q.normal.x() * dx + q.normal.y() * dy);
     return std::sqrt(dx * dx + dy * dy) + 1.5f * aside;
   }
+  // Cost of b as successor of a.
+  float cost(int a, int b) const {
+    int sign;
+    const float c = cost(a, b, &sign);
+    return sign > 0 ? c : kNoLink;
+  }
+
+  // Points on the ring of pixels one, then two pixels away that continue a point, in raster order.
+  struct Neighbours {
+    struct One {
+      int point, sign;
+      float cost;
+    };
+    std::array<One, 8 + 16> ring;
+    int end[3] = {0, 0, 0};  // of ring r: ring[end[r - 1] .. end[r])
+    int reach = 0;           // rings looked at
+  };
+  void look(int i, int reach, Neighbours* found) const {
+    if (found->reach >= reach) return;
+    found->reach = reach;
+    int n = found->end[reach - 1];
+    const int x0 = edges_.x[i], y0 = edges_.y[i];
+    for (int y = std::max(0, y0 - reach); y <= std::min(edges_.rows - 1, y0 + reach); ++y) {
+      const bool inside_row = std::abs(y - y0) < reach;
+      const int32_t* row = edges_.index.data() + size_t(y) * edges_.cols;
+      for (int x = x0 - reach; x <= x0 + reach; x += inside_row ? 2 * reach : 1) {
+        if (x < 0 || x >= edges_.cols || row[x] < 0) continue;
+        int sign;
+        const float c = cost(i, row[x], &sign);
+        if (c < kNoLink) found->ring[size_t(n++)] = {row[x], sign, c};
+      }
+    }
+    found->end[reach] = n;
+  }
 
   // Finds the best free successor (sign 1) or predecessor (sign -1) of point i; a better claim takes a
   // neighbour over.
-  void seek(int i, int sign) {
+  void seek(int i, int sign, Neighbours* found) {
     int best = -1;
     float best_cost = kNoLink;
-    for (int reach = 1; reach <= 2 && best < 0; ++reach) ring(i, sign, reach, &best, &best_cost);
+    for (int reach = 1; reach <= 2 && best < 0; ++reach) {
+      look(i, reach, found);
+      for (int k = found->end[reach - 1]; k < found->end[reach]; ++k) {
+        const Neighbours::One& one = found->ring[size_t(k)];
+        if (one.sign != sign || one.cost >= best_cost) continue;
+        const int j = one.point;
+        const int rival = sign > 0 ? previous_[j] : (next_[j] >= 0 ? j : -1);
+        if (rival >= 0 && next_cost_[rival] <= one.cost) continue;
+        best = j;
+        best_cost = one.cost;
+      }
+    }
     if (best < 0) return;
     const int from = sign > 0 ? i : best, to = sign > 0 ? best : i;
     if (sign > 0 && previous_[to] >= 0) unlink(previous_[to], to);
@@ -59,25 +110,6 @@ class Linker {
     next_[from] = to;
     previous_[to] = from;
     next_cost_[from] = best_cost;
-  }
-
-  void ring(int i, int sign, int reach, int* best, float* best_cost) const {
-    const int x0 = edges_.x[i], y0 = edges_.y[i];
-    for (int y = std::max(0, y0 - reach); y <= std::min(edges_.rows - 1, y0 + reach); ++y) {
-      const bool inside_row = std::abs(y - y0) < reach;
-      const int32_t* row = edges_.index.data() + size_t(y) * edges_.cols;
-      for (int x = x0 - reach; x <= x0 + reach; x += inside_row ? 2 * reach : 1) {
-        if (x < 0 || x >= edges_.cols) continue;
-        const int j = row[x];
-        if (j < 0) continue;
-        const float c = sign > 0 ? cost(i, j) : cost(j, i);
-        if (c >= *best_cost) continue;
-        const int rival = sign > 0 ? previous_[j] : (next_[j] >= 0 ? j : -1);
-        if (rival >= 0 && next_cost_[rival] <= c) continue;
-        *best = j;
-        *best_cost = c;
-      }
-    }
   }
 
   // Links the loose end i with a loose start nearby: across a gap of a few pixels, or over an end point that

@@ -4,6 +4,9 @@
 // the same order (no fused multiply-add), so their results are equal; the plain one is the reference.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__)
 #define MONOCULAR_EYE_HAND_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
+// What such a function calls has to become part of it.
+#define MONOCULAR_EYE_HAND_INLINE inline __attribute__((always_inline))
 #else
+#define MONOCULAR_EYE_HAND_INLINE inline
 #define MONOCULAR_EYE_HAND_VECTOR_CLONES
 #endif

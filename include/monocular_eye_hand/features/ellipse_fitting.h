@@ -11,10 +11,11 @@ namespace monocular_eye_hand {
 struct EllipseFit {
   bool valid = false;
   Ellipse ellipse;
-  Eigen::Matrix<double, 5, 5> covariance;  ///< of (centre u, centre v, a, b, angle) for independent points
-  double chi2 = 0;                         ///< sum of squared distances over their variances
-  double rms = 0;                          ///< [px]
-  int count = 0;                           ///< points used
+  /// Inverse covariance of (centre u, centre v, a, b, angle) for independent points.
+  Eigen::Matrix<double, 5, 5> information = Eigen::Matrix<double, 5, 5>::Identity();
+  double chi2 = 0;  ///< sum of squared distances over their variances
+  double rms = 0;   ///< [px]
+  int count = 0;    ///< points used
 };
 
 /// Direct least squares fit (Halir and Flusser 1998).
@@ -23,9 +24,12 @@ EllipseFit fitEllipseDirect(const FitPoints& points);
 /// Gauss-Newton on the approximate distance F / |grad F| (Sampson 1982) with inverse variances and Tukey
 /// weights, started from `start`. Blur moves the steepest point of a curved edge inwards by blur^2 / (2
 /// radius of curvature); points are moved back by that amount. A start that misses the points by more than
-/// `give_up_rms` [px] is returned as it is, without a covariance.
+/// `give_up_rms` [px] is returned as it is.
 EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iterations,
                          double give_up_rms = std::numeric_limits<double>::infinity());
+
+/// Covariance of (centre u, centre v, a, b, angle) [px, rad] of a valid refined fit, for independent points.
+Eigen::Matrix<double, 5, 5> covarianceOf(const EllipseFit& fit);
 
 /// Approximate signed distance (positive outside) and outward unit normal at a point.
 struct EllipseDistance {
