@@ -17,7 +17,12 @@ class Linker {
       : edges_(edges),
         next_(edges.points.size(), -1),
         previous_(edges.points.size(), -1),
-        next_cost_(edges.points.size(), kNoLink) {}
+        next_cost_(edges.points.size(), kNoLink) {
+    for (int reach = 1; reach <= 2; ++reach)
+      for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; dx += std::abs(dy) < reach ? 2 * reach : 1)
+          offsets_[reach - 1].push_back(dy * edges.cols + dx);
+  }
 
   void link() {
     // The second round gives points that lost their neighbour to a better one another chance.
@@ -29,6 +34,7 @@ class Linker {
         if (next_[i] < 0) seek(i, 1, &found);
         if (previous_[i] < 0) seek(i, -1, &found);
       }
+    findLooseStarts();
     for (int i = 0; i < int(edges_.points.size()); ++i)
       if (next_[i] < 0 && previous_[i] >= 0) bridge(i);
   }
@@ -71,17 +77,20 @@ class Linker {
   void look(int i, int reach, Neighbours* found) const {
     if (found->reach >= reach) return;
     found->reach = reach;
+    // Whose pixels hold points, without branches; edge points keep two pixels from the border.
+    const int32_t* here = edges_.index.data() + size_t(edges_.y[i]) * edges_.cols + edges_.x[i];
+    const std::vector<int>& offsets = offsets_[reach - 1];
+    int32_t present[16 + 1];
+    int count = 0;
+    for (int offset : offsets) {
+      present[count] = here[offset];
+      count += here[offset] >= 0;
+    }
     int n = found->end[reach - 1];
-    const int x0 = edges_.x[i], y0 = edges_.y[i];
-    for (int y = std::max(0, y0 - reach); y <= std::min(edges_.rows - 1, y0 + reach); ++y) {
-      const bool inside_row = std::abs(y - y0) < reach;
-      const int32_t* row = edges_.index.data() + size_t(y) * edges_.cols;
-      for (int x = x0 - reach; x <= x0 + reach; x += inside_row ? 2 * reach : 1) {
-        if (x < 0 || x >= edges_.cols || row[x] < 0) continue;
-        int sign;
-        const float c = cost(i, row[x], &sign);
-        if (c < kNoLink) found->ring[size_t(n++)] = {row[x], sign, c};
-      }
+    for (int k = 0; k < count; ++k) {
+      int sign;
+      const float c = cost(i, present[k], &sign);
+      if (c < kNoLink) found->ring[size_t(n++)] = {present[k], sign, c};
     }
     found->end[reach] = n;
   }
@@ -112,25 +121,38 @@ class Linker {
     next_cost_[from] = best_cost;
   }
 
+  bool looseStart(int i) const { return previous_[i] < 0 && next_[i] >= 0; }
+  // Bridging makes no new ones.
+  void findLooseStarts() {
+    starts_of_row_.assign(size_t(edges_.rows) + 1, 0);
+    for (int i = 0; i < int(edges_.points.size()); ++i) {
+      if (!looseStart(i)) continue;
+      starts_.push_back(i);
+      ++starts_of_row_[size_t(edges_.y[i]) + 1];
+    }
+    for (size_t y = 1; y < starts_of_row_.size(); ++y) starts_of_row_[y] += starts_of_row_[y - 1];
+  }
+
   // Links the loose end i with a loose start nearby: across a gap of a few pixels, or over an end point that
   // lies beside the other trace's start instead of before it.
   void bridge(int i) {
     constexpr int kReach = 4;
     int from = -1, to = -1, skipped = -1;
     float best = kNoLink;
-    for (int y = std::max(0, edges_.y[i] - kReach); y <= std::min(edges_.rows - 1, edges_.y[i] + kReach); ++y)
-      for (int x = std::max(0, edges_.x[i] - kReach); x <= std::min(edges_.cols - 1, edges_.x[i] + kReach);
-           ++x) {
-        const int j = edges_.index[size_t(y) * edges_.cols + x];
-        if (j < 0 || j == i || previous_[j] >= 0 || next_[j] < 0) continue;
-        for (int a : {i, previous_[i]})
-          for (int b : {j, next_[j]}) {
-            if (a == b) continue;
-            const float c = cost(a, b);
-            if (c >= best || !inLine(a, b)) continue;
-            best = c, from = a, to = b, skipped = j;
-          }
-      }
+    const int x0 = edges_.x[i], y0 = edges_.y[i];
+    const int first = starts_of_row_[size_t(std::max(0, y0 - kReach))];
+    const int last = starts_of_row_[size_t(std::min(edges_.rows - 1, y0 + kReach)) + 1];
+    for (int k = first; k < last; ++k) {
+      const int j = starts_[size_t(k)];
+      if (std::abs(edges_.x[j] - x0) > kReach || j == i || !looseStart(j)) continue;
+      for (int a : {i, previous_[i]})
+        for (int b : {j, next_[j]}) {
+          if (a == b) continue;
+          const float c = cost(a, b);
+          if (c >= best || !inLine(a, b)) continue;
+          best = c, from = a, to = b, skipped = j;
+        }
+    }
     if (from < 0) return;
     if (from != i) unlink(from, i);
     if (to != skipped) unlink(skipped, to);
@@ -156,6 +178,8 @@ class Linker {
   const EdgeMap& edges_;
   std::vector<int> next_, previous_;
   std::vector<float> next_cost_;
+  std::vector<int> offsets_[2];  // of the pixels on the rings one and two pixels away, in raster order
+  std::vector<int> starts_, starts_of_row_;
 };
 
 // A trace is kept when noise alone would make fewer than one as strong: each independent point exceeds

@@ -6,7 +6,9 @@
 #define MONOCULAR_EYE_HAND_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
 // What such a function calls has to become part of it.
 #define MONOCULAR_EYE_HAND_INLINE inline __attribute__((always_inline))
+#define MONOCULAR_EYE_HAND_LAMBDA __attribute__((always_inline))
 #else
 #define MONOCULAR_EYE_HAND_INLINE inline
+#define MONOCULAR_EYE_HAND_LAMBDA
 #define MONOCULAR_EYE_HAND_VECTOR_CLONES
 #endif

@@ -7,7 +7,8 @@
 
 namespace monocular_eye_hand {
 
-/// Edge points of an image before linking, in raw pixels, in raster order.
+/// Edge points of an image before linking, in raw pixels, in raster order, at least two pixels from the
+/// border.
 struct EdgeMap {
   std::vector<EdgePoint> points;
   std::vector<int16_t> x, y;   ///< the pixel each point belongs to
