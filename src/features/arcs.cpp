@@ -132,10 +132,10 @@ class ArcFinder {
     EllipseFit fit;
   };
 
-  bool onEllipse(const EllipseFit& f, int i) const {
+  bool onEllipse(const EllipseFrame& ellipse, double rms, int i) const {
     const EdgePoint& p = edges_.points[i];
-    const EllipseDistance d = distanceTo(f.ellipse, p.uv.cast<double>());
-    const double limit = std::max(3 * fitSigma(p), 2 * f.rms) + 0.1;
+    const EllipseDistance d = ellipse.distanceTo(p.uv.cast<double>());
+    const double limit = std::max(3 * fitSigma(p), 2 * rms) + 0.1;
     return std::fabs(d.distance) < limit && std::fabs(d.normal.dot(p.normal.cast<double>())) > 0.93;
   }
 
@@ -143,10 +143,12 @@ class ArcFinder {
   void settle(Found* arc, int low, int high) {
     for (int round = 0; round < 8; ++round) {  // each round may see a little farther
       const int begin = arc->begin, end = arc->end;
-      while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->begin)) ++arc->begin;
-      while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->end - 1)) --arc->end;
-      while (arc->begin > low && onEllipse(arc->fit, arc->begin - 1)) --arc->begin;
-      while (arc->end < high && onEllipse(arc->fit, arc->end)) ++arc->end;
+      const EllipseFrame frame(arc->fit.ellipse);
+      const auto on = [&](int i) { return onEllipse(frame, arc->fit.rms, i); };
+      while (arc->end - arc->begin > 8 && !on(arc->begin)) ++arc->begin;
+      while (arc->end - arc->begin > 8 && !on(arc->end - 1)) --arc->end;
+      while (arc->begin > low && on(arc->begin - 1)) --arc->begin;
+      while (arc->end < high && on(arc->end)) ++arc->end;
       const PointRange range{arc->begin, arc->end - arc->begin};
       fit_points_.assign(edges_.points, &range, 1, kSettleFitPoints);
       const EllipseFit again = refineEllipse(fit_points_, arc->fit.ellipse, 6);
@@ -178,10 +180,11 @@ class ArcFinder {
     a.trace = trace;
     a.first = arc.begin;
     a.count = arc.end - arc.begin;
-    a.start = eccentricAngle(a.ellipse, edges_.points[arc.begin].uv.cast<double>());
+    const EllipseFrame frame(a.ellipse);
+    a.start = frame.eccentricAngle(edges_.points[arc.begin].uv.cast<double>());
     double last = a.start;
     for (int i = arc.begin + 1; i < arc.end; ++i) {
-      const double now = eccentricAngle(a.ellipse, edges_.points[i].uv.cast<double>());
+      const double now = frame.eccentricAngle(edges_.points[i].uv.cast<double>());
       a.sweep += wrap(now - last);
       last = now;
     }

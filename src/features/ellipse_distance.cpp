@@ -34,21 +34,19 @@ Eigen::Matrix<double, 5, 1> jacobianAt(const Ellipse& e, double c, double s, con
 
 }  // namespace
 
-EllipseDistance distanceTo(const Ellipse& e, const Eigen::Vector2d& uv) {
-  const double c = std::cos(e.angle), s = std::sin(e.angle);
-  const Local l = localAt(e, c, s, uv);
+EllipseDistance EllipseFrame::distanceTo(const Eigen::Vector2d& uv) const {
+  const double c = cosine_, s = sine_;
+  const Local l = localAt(e_, c, s, uv);
   return {l.f / l.g, {(c * l.gx - s * l.gy) / l.g, (s * l.gx + c * l.gy) / l.g}};
 }
 
-Eigen::Matrix<double, 1, 5> distanceJacobian(const Ellipse& e, const Eigen::Vector2d& uv) {
-  const double c = std::cos(e.angle), s = std::sin(e.angle);
-  return jacobianAt(e, c, s, localAt(e, c, s, uv)).transpose();
+Eigen::Matrix<double, 1, 5> EllipseFrame::distanceJacobian(const Eigen::Vector2d& uv) const {
+  return jacobianAt(e_, cosine_, sine_, localAt(e_, cosine_, sine_, uv)).transpose();
 }
 
-double eccentricAngle(const Ellipse& e, const Eigen::Vector2d& uv) {
-  const double c = std::cos(e.angle), s = std::sin(e.angle);
-  const Eigen::Vector2d d = uv - e.centre;
-  return std::atan2((-s * d.x() + c * d.y()) / e.b, (c * d.x() + s * d.y()) / e.a);
+double EllipseFrame::eccentricAngle(const Eigen::Vector2d& uv) const {
+  const Eigen::Vector2d d = uv - e_.centre;
+  return std::atan2((-sine_ * d.x() + cosine_ * d.y()) / e_.b, (cosine_ * d.x() + sine_ * d.y()) / e_.a);
 }
 
 double circumference(const Ellipse& e) {

@@ -14,37 +14,35 @@ namespace {
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 
-// Cholesky factor of a symmetric positive definite matrix; small enough to unroll.
+// L D L^T of a symmetric positive definite matrix; small enough to unroll.
 class Cholesky5 {
  public:
   explicit Cholesky5(const Matrix5d& m) {
     for (int i = 0; i < 5; ++i) {
+      double pivot = m(i, i), scaled[5];  // row of L D
       for (int j = 0; j < i; ++j) {
-        double sum = m(i, j);
-        for (int k = 0; k < j; ++k) sum -= l_[i][k] * l_[j][k];
-        l_[i][j] = sum * inverse_[j];
+        scaled[j] = m(i, j);
+        for (int k = 0; k < j; ++k) scaled[j] -= scaled[k] * l_[j][k];
+        l_[i][j] = scaled[j] * inverse_[j];
+        pivot -= scaled[j] * l_[i][j];
       }
-      double pivot = m(i, i);
-      for (int k = 0; k < i; ++k) pivot -= l_[i][k] * l_[i][k];
       positive_ = positive_ && pivot > 0;
-      inverse_[i] = 1 / std::sqrt(pivot);
+      inverse_[i] = 1 / pivot;
     }
   }
   bool positive() const { return positive_; }
   Vector5d solve(Vector5d v) const {
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 1; i < 5; ++i)
       for (int k = 0; k < i; ++k) v[i] -= l_[i][k] * v[k];
-      v[i] *= inverse_[i];
-    }
     for (int i = 4; i >= 0; --i) {
-      for (int k = i + 1; k < 5; ++k) v[i] -= l_[k][i] * v[k];
       v[i] *= inverse_[i];
+      for (int k = i + 1; k < 5; ++k) v[i] -= l_[k][i] * v[k];
     }
     return v;
   }
 
  private:
-  double l_[5][5], inverse_[5];  // below the diagonal; inverse of the diagonal
+  double l_[5][5], inverse_[5];  // below the diagonal; inverse of D
   bool positive_ = true;
 };
 

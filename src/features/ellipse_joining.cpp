@@ -86,9 +86,10 @@ class ArcJoiner {
 
   bool brightInside(const Ellipse& e, int arc) const {
     double votes = 0;
+    const EllipseFrame frame(e);
     for (int k = 1; k <= 3; ++k) {
       const EdgePoint& p = points_[arcs_[arc].first + arcs_[arc].count * k / 4];
-      votes += distanceTo(e, p.uv.cast<double>()).normal.dot(p.normal.cast<double>());
+      votes += frame.distanceTo(p.uv.cast<double>()).normal.dot(p.normal.cast<double>());
     }
     return votes < 0;
   }
@@ -101,12 +102,13 @@ class ArcJoiner {
   // Do the ends and the middle of an arc lie on the ellipse, as far as its covariance can tell, facing the
   // same way?
   bool compatible(const GroupFit& fit, bool bright_inside, int arc) const {
+    const EllipseFrame frame(fit.ellipse);
     for (int k = 0; k <= 4; ++k) {
       const EdgePoint& p =
           points_[arcs_[arc].first + std::min(arcs_[arc].count - 1, arcs_[arc].count * k / 4)];
       const Eigen::Vector2d uv = p.uv.cast<double>();
-      const EllipseDistance d = distanceTo(fit.ellipse, uv);
-      const Eigen::Matrix<double, 1, 5> j = distanceJacobian(fit.ellipse, uv);
+      const EllipseDistance d = frame.distanceTo(uv);
+      const Eigen::Matrix<double, 1, 5> j = frame.distanceJacobian(uv);
       const double predicted = std::sqrt(std::max(0.0, (j * fit.covariance * j.transpose())(0, 0)));
       const double limit = std::min(4 * predicted + 4 * fitSigma(p) + 0.3, 0.2 * fit.ellipse.b + 1.0);
       if (std::fabs(d.distance) > limit) return false;
@@ -172,12 +174,13 @@ class ArcJoiner {
   double coverage(const std::vector<int>& group, const Ellipse& e) const {
     constexpr int kBins = 64;
     bool hit[kBins] = {};
+    const EllipseFrame frame(e);
     for (int i : group) {
       const int n = arcs_[i].count;
       for (int k = 0; k < n; ++k) {
         const Eigen::Vector2d uv = points_[arcs_[i].first + k].uv.cast<double>();
         // Mark the stretch that one point stands for, so that small ellipses fill their bins.
-        const double t = eccentricAngle(e, uv);
+        const double t = frame.eccentricAngle(uv);
         const double speed = std::hypot(e.a * std::sin(t), e.b * std::cos(t));
         const double half = 0.6 / std::max(1e-6, speed);
         const int from = int(std::floor((t - half) / (2 * M_PI) * kBins));

@@ -42,26 +42,17 @@ class Linker {
   const std::vector<int>& previous() const { return previous_; }
 
  private:
-  // Cost of linking two points: distance plus departure from both tangents; kNoLink when neither continues
-  // the other. `sign` is 1 when b continues a, -1 when a continues b: the cost is the same.
-  float cost(int a, int b, int* sign) const {
+  // Cost of b as successor of a: distance plus departure from both tangents; kNoLink when b does not continue
+  // a. The cost of a as predecessor of b is the same.
+  float cost(int a, int b) const {
     const EdgePoint &p = edges_.points[a], &q = edges_.points[b];
     const float dx = q.uv.x() - p.uv.x(), dy = q.uv.y() - p.uv.y();
     const float forward_a = -p.normal.y() * dx + p.normal.x() * dy;
     const float forward_b = -q.normal.y() * dx + q.normal.x() * dy;
-    const bool after = !(forward_a < 0.2f || forward_b < 0.2f);
-    const bool before = !(forward_a > -0.2f || forward_b > -0.2f);
-    *sign = after ? 1 : before ? -1 : 0;
-    if (*sign == 0 || p.normal.dot(q.normal) < 0.3f) return kNoLink;
+    if (forward_a < 0.2f || forward_b < 0.2f || p.normal.dot(q.normal) < 0.3f) return kNoLink;
     const float aside =
         std::fabs(p.normal.x() * dx + p.normal.y() * dy) + std::fabs(q.normal.x() * dx + q.normal.y() * dy);
     return std::sqrt(dx * dx + dy * dy) + 1.5f * aside;
-  }
-  // Cost of b as successor of a.
-  float cost(int a, int b) const {
-    int sign;
-    const float c = cost(a, b, &sign);
-    return sign > 0 ? c : kNoLink;
   }
 
   // Points on the ring of pixels one, then two pixels away that continue a point, in raster order.
@@ -87,12 +78,38 @@ class Linker {
       count += here[offset] >= 0;
     }
     int n = found->end[reach - 1];
-    for (int k = 0; k < count; ++k) {
-      int sign;
-      const float c = cost(i, present[k], &sign);
-      if (c < kNoLink) found->ring[size_t(n++)] = {present[k], sign, c};
+    for (int from = 0; from < count; from += kLanes) {
+      float costs[kLanes];
+      int signs[kLanes];
+      lookAtFour(i, present + from, std::min(kLanes, count - from), costs, signs);
+      for (int k = 0; k < kLanes && from + k < count; ++k)
+        if (costs[k] < kNoLink) found->ring[size_t(n++)] = {present[from + k], signs[k], costs[k]};
     }
     found->end[reach] = n;
+  }
+
+  // Cost of linking a with up to four neighbours b and whether they come after (1) or before (-1) it, written
+  // so that the compiler computes them together.
+  static constexpr int kLanes = 4;
+  void lookAtFour(int a, const int32_t* b, int count, float* costs, int* signs) const {
+    const EdgePoint& p = edges_.points[a];
+    const float x = p.uv.x(), y = p.uv.y(), nx = p.normal.x(), ny = p.normal.y();
+    float qx[kLanes], qy[kLanes], mx[kLanes], my[kLanes];
+    for (int k = 0; k < kLanes; ++k) {
+      const EdgePoint& q = edges_.points[size_t(b[std::min(k, count - 1)])];
+      qx[k] = q.uv.x(), qy[k] = q.uv.y(), mx[k] = q.normal.x(), my[k] = q.normal.y();
+    }
+    for (int k = 0; k < kLanes; ++k) {
+      const float dx = qx[k] - x, dy = qy[k] - y;
+      const float forward_a = -ny * dx + nx * dy, forward_b = -my[k] * dx + mx[k] * dy;
+      const bool after = (forward_a >= 0.2f) & (forward_b >= 0.2f);
+      const bool before = (forward_a <= -0.2f) & (forward_b <= -0.2f);
+      const float turn = nx * mx[k] + ny * my[k];
+      const float aside = std::fabs(nx * dx + ny * dy) + std::fabs(mx[k] * dx + my[k] * dy);
+      const float c = std::sqrt(dx * dx + dy * dy) + 1.5f * aside;
+      costs[k] = (after | before) & (turn >= 0.3f) ? c : kNoLink;
+      signs[k] = after ? 1 : -1;
+    }
   }
 
   // Finds the best free successor (sign 1) or predecessor (sign -1) of point i; a better claim takes a

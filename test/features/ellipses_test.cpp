@@ -179,7 +179,7 @@ TEST(EllipseFit, ExactPoints) {
 TEST(EllipseFit, DistanceJacobianIsTheDerivative) {
   const Ellipse e{{10, 20}, 30, 12, 0.4};
   const Eigen::Vector2d uv = e.at(1.1);
-  const Eigen::Matrix<double, 1, 5> j = distanceJacobian(e, uv);
+  const Eigen::Matrix<double, 1, 5> j = EllipseFrame(e).distanceJacobian(uv);
   const double h = 1e-6;
   for (int k = 0; k < 5; ++k) {
     Ellipse moved = e;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -36,11 +37,24 @@ struct EllipseDistance {
   double distance = 0;
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
 };
-EllipseDistance distanceTo(const Ellipse& ellipse, const Eigen::Vector2d& uv);
-/// d distance / d (centre u, centre v, a, b, angle).
-Eigen::Matrix<double, 1, 5> distanceJacobian(const Ellipse& ellipse, const Eigen::Vector2d& uv);
-/// Eccentric angle of the direction in which a point lies [rad].
-double eccentricAngle(const Ellipse& ellipse, const Eigen::Vector2d& uv);
+/// An ellipse prepared for many points.
+class EllipseFrame {
+ public:
+  explicit EllipseFrame(const Ellipse& ellipse)
+      : e_(ellipse), cosine_(std::cos(ellipse.angle)), sine_(std::sin(ellipse.angle)) {}
+  EllipseDistance distanceTo(const Eigen::Vector2d& uv) const;
+  /// d distance / d (centre u, centre v, a, b, angle).
+  Eigen::Matrix<double, 1, 5> distanceJacobian(const Eigen::Vector2d& uv) const;
+  /// Eccentric angle of the direction in which a point lies [rad].
+  double eccentricAngle(const Eigen::Vector2d& uv) const;
+
+ private:
+  Ellipse e_;
+  double cosine_, sine_;
+};
+inline EllipseDistance distanceTo(const Ellipse& ellipse, const Eigen::Vector2d& uv) {
+  return EllipseFrame(ellipse).distanceTo(uv);
+}
 /// Circumference (Ramanujan's second formula) [px].
 double circumference(const Ellipse& ellipse);
 
