@@ -121,7 +121,7 @@ class PointFinder {
     p.gradient = m;
     p.sigma = difference_noise_ * std::sqrt(step2) / -second;
     p.blur = std::sqrt(profileVariance(second, m) * step2);
-    edges_.index[size_t(y) * edges_.cols + x] = int32_t(edges_.points.size());
+    edges_.pixels.add(x, y, int32_t(edges_.points.size()));
     edges_.points.push_back(p);
     edges_.x.push_back(int16_t(x));
     edges_.y.push_back(int16_t(y));
@@ -143,8 +143,8 @@ EdgeMap detectEdgePoints(const cv::Mat& grey, const FeatureOptions& options) {
   edges.gradient_noise = noise * kernel.noise_gain;
   edges.threshold = std::max(options.gradient_threshold, options.noise_factor * edges.gradient_noise);
   edges.correlation_length = kernel.correlation_length;
-  edges.index.assign(size_t(grey.rows) * grey.cols, -1);
-  const size_t expected = edges.index.size() / 12;
+  edges.pixels.reset(grey.cols, grey.rows);
+  const size_t expected = grey.total() / 12;
   edges.points.reserve(expected);
   edges.x.reserve(expected);
   edges.y.reserve(expected);

@@ -17,22 +17,17 @@ class Linker {
       : edges_(edges),
         next_(edges.points.size(), -1),
         previous_(edges.points.size(), -1),
-        next_cost_(edges.points.size(), kNoLink) {
-    for (int reach = 1; reach <= 2; ++reach)
-      for (int dy = -reach; dy <= reach; ++dy)
-        for (int dx = -reach; dx <= reach; dx += std::abs(dy) < reach ? 2 * reach : 1)
-          offsets_[reach - 1].push_back(dy * edges.cols + dx);
-  }
+        next_cost_(edges.points.size(), kNoLink) {}
 
   void link() {
     // The second round gives points that lost their neighbour to a better one another chance.
     for (int round = 0; round < 2; ++round)
       for (int i = 0; i < int(edges_.points.size()); ++i) {
         if (next_[i] >= 0 && previous_[i] >= 0) continue;
+        const Window window(edges_, i);
         Neighbours found;
-        look(i, 1, &found);
-        if (next_[i] < 0) seek(i, 1, &found);
-        if (previous_[i] < 0) seek(i, -1, &found);
+        if (next_[i] < 0) seek(i, 1, window, &found);
+        if (previous_[i] < 0) seek(i, -1, window, &found);
       }
     findLooseStarts();
     for (int i = 0; i < int(edges_.points.size()); ++i)
@@ -55,7 +50,38 @@ class Linker {
     return std::sqrt(dx * dx + dy * dy) + 1.5f * aside;
   }
 
-  // Points on the ring of pixels one, then two pixels away that continue a point, in raster order.
+  // The points on the rings of pixels one and two away from a point, in raster order.
+  class Window {
+   public:
+    // Edge points keep two pixels from the border: the window lies in the image.
+    Window(const EdgeMap& edges, int i) : edges_(edges), x_(edges.x[i] - 2), y_(edges.y[i] - 2) {
+      for (int k = 0; k < 5; ++k) bits_ |= edges.pixels.five(x_, y_ + k) << (5 * k);
+    }
+    /// Puts the points of a ring into `points`; returns how many.
+    int ring(int reach, int32_t* points) const {
+      // Five bits per row, the top row lowest.
+      constexpr uint32_t kInner = (14u << 5) | (10u << 10) | (14u << 15);
+      constexpr uint32_t kOuter = 31u | (17u << 5) | (17u << 10) | (17u << 15) | (31u << 20);
+      int count = 0;
+      for (uint32_t left = bits_ & (reach == 1 ? kInner : kOuter); left; left &= left - 1) {
+        const int at = lowestBit(left), row = at / 5;
+        points[count++] = edges_.pixels.point(x_ + at - 5 * row, y_ + row);
+      }
+      return count;
+    }
+
+   private:
+    static int lowestBit(uint32_t v) {  // de Bruijn multiplication
+      static constexpr int8_t kPlace[32] = {0,  1,  28, 2,  29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4,  8,
+                                            31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6,  11, 5,  10, 9};
+      return kPlace[((v & (~v + 1)) * 0x077CB531u) >> 27];
+    }
+    const EdgeMap& edges_;
+    const int x_, y_;
+    uint32_t bits_ = 0;
+  };
+
+  // Those of them that continue a point.
   struct Neighbours {
     struct One {
       int point, sign;
@@ -65,18 +91,11 @@ class Linker {
     int end[3] = {0, 0, 0};  // of ring r: ring[end[r - 1] .. end[r])
     int reach = 0;           // rings looked at
   };
-  void look(int i, int reach, Neighbours* found) const {
+  void look(int i, int reach, const Window& window, Neighbours* found) const {
     if (found->reach >= reach) return;
     found->reach = reach;
-    // Whose pixels hold points, without branches; edge points keep two pixels from the border.
-    const int32_t* here = edges_.index.data() + size_t(edges_.y[i]) * edges_.cols + edges_.x[i];
-    const std::vector<int>& offsets = offsets_[reach - 1];
-    int32_t present[16 + 1];
-    int count = 0;
-    for (int offset : offsets) {
-      present[count] = here[offset];
-      count += here[offset] >= 0;
-    }
+    int32_t present[16];
+    const int count = window.ring(reach, present);
     int n = found->end[reach - 1];
     for (int from = 0; from < count; from += kLanes) {
       float costs[kLanes];
@@ -114,11 +133,11 @@ class Linker {
 
   // Finds the best free successor (sign 1) or predecessor (sign -1) of point i; a better claim takes a
   // neighbour over.
-  void seek(int i, int sign, Neighbours* found) {
+  void seek(int i, int sign, const Window& window, Neighbours* found) {
     int best = -1;
     float best_cost = kNoLink;
     for (int reach = 1; reach <= 2 && best < 0; ++reach) {
-      look(i, reach, found);
+      look(i, reach, window, found);
       for (int k = found->end[reach - 1]; k < found->end[reach]; ++k) {
         const Neighbours::One& one = found->ring[size_t(k)];
         if (one.sign != sign || one.cost >= best_cost) continue;
@@ -195,7 +214,6 @@ class Linker {
   const EdgeMap& edges_;
   std::vector<int> next_, previous_;
   std::vector<float> next_cost_;
-  std::vector<int> offsets_[2];  // of the pixels on the rings one and two pixels away, in raster order
   std::vector<int> starts_, starts_of_row_;
 };
 
