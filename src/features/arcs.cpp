@@ -19,8 +19,9 @@ double wrap(double angle) { return angle - 2 * M_PI * std::floor(angle / (2 * M_
 
 class ArcFinder {
  public:
-  ArcFinder(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options)
-      : edges_(edges), correlation_length_(correlation_length), options_(options) {}
+  ArcFinder(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options,
+            TracePolygons* polygons)
+      : edges_(edges), correlation_length_(correlation_length), options_(options), polygons_(*polygons) {}
 
   void add(int trace, std::vector<EllipticArc>* out) {
     const EdgeTrace& t = edges_.traces[trace];
@@ -28,7 +29,9 @@ class ArcFinder {
     sums_.assign(edges_.points, t.first, t.count);
     if (sums_.chi2(t.first, t.first + t.count) < 2.0 * t.count) return;  // plainly straight
     tolerance_ = splitTolerance(edges_.points, range, options_);
-    makeChords(polygonBreaks(edges_.points, sums_, range, tolerance_));
+    const std::vector<int> breaks = polygonBreaks(edges_.points, sums_, range, tolerance_);
+    polygons_.add(trace, breaks);
+    makeChords(breaks);
     found_.clear();
     for (size_t i = 0; i + 1 < chords_.size();) {
       const size_t end = runEnd(i);
@@ -196,6 +199,7 @@ class ArcFinder {
   const LinkedEdges& edges_;
   const double correlation_length_;
   const FeatureOptions& options_;
+  TracePolygons& polygons_;
   LineSums sums_;
   FitPoints fit_points_;
   double tolerance_ = 0;
@@ -207,9 +211,9 @@ class ArcFinder {
 }  // namespace
 
 std::vector<EllipticArc> findArcs(const LinkedEdges& edges, double correlation_length,
-                                  const FeatureOptions& options) {
+                                  const FeatureOptions& options, TracePolygons* polygons) {
   std::vector<EllipticArc> out;
-  ArcFinder finder(edges, correlation_length, options);
+  ArcFinder finder(edges, correlation_length, options, polygons);
   for (int t = 0; t < int(edges.traces.size()); ++t) finder.add(t, &out);
   return out;
 }
