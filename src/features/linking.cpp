@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <opencv2/core/hal/intrin.hpp>
 
 namespace monocular_eye_hand {
 namespace {
@@ -107,28 +109,29 @@ class Linker {
     found->end[reach] = n;
   }
 
-  // Cost of linking a with up to four neighbours b and whether they come after (1) or before (-1) it, written
-  // so that the compiler computes them together.
+  // Cost of linking a with up to four neighbours b, all at once, and whether they come after (1) or before
+  // (-1) it.
   static constexpr int kLanes = 4;
   void lookAtFour(int a, const int32_t* b, int count, float* costs, int* signs) const {
+    static_assert(offsetof(EdgePoint, uv) == 0 && offsetof(EdgePoint, normal) == 8, "loaded together below");
+    using cv::v_float32x4;
+    const auto load = [&](int i) { return cv::v_load(reinterpret_cast<const float*>(&edges_.points[i])); };
     const EdgePoint& p = edges_.points[a];
-    const float x = p.uv.x(), y = p.uv.y(), nx = p.normal.x(), ny = p.normal.y();
-    float qx[kLanes], qy[kLanes], mx[kLanes], my[kLanes];
-    for (int k = 0; k < kLanes; ++k) {
-      const EdgePoint& q = edges_.points[size_t(b[std::min(k, count - 1)])];
-      qx[k] = q.uv.x(), qy[k] = q.uv.y(), mx[k] = q.normal.x(), my[k] = q.normal.y();
-    }
-    for (int k = 0; k < kLanes; ++k) {
-      const float dx = qx[k] - x, dy = qy[k] - y;
-      const float forward_a = -ny * dx + nx * dy, forward_b = -my[k] * dx + mx[k] * dy;
-      const bool after = (forward_a >= 0.2f) & (forward_b >= 0.2f);
-      const bool before = (forward_a <= -0.2f) & (forward_b <= -0.2f);
-      const float turn = nx * mx[k] + ny * my[k];
-      const float aside = std::fabs(nx * dx + ny * dy) + std::fabs(mx[k] * dx + my[k] * dy);
-      const float c = std::sqrt(dx * dx + dy * dy) + 1.5f * aside;
-      costs[k] = (after | before) & (turn >= 0.3f) ? c : kNoLink;
-      signs[k] = after ? 1 : -1;
-    }
+    const v_float32x4 nx = cv::v_setall_f32(p.normal.x()), ny = cv::v_setall_f32(p.normal.y());
+    v_float32x4 qx, qy, mx, my;
+    cv::v_transpose4x4(load(b[0]), load(b[std::min(1, count - 1)]), load(b[std::min(2, count - 1)]),
+                       load(b[count - 1]), qx, qy, mx, my);
+    const v_float32x4 dx = qx - cv::v_setall_f32(p.uv.x()), dy = qy - cv::v_setall_f32(p.uv.y());
+    const v_float32x4 forward_a = nx * dy - ny * dx, forward_b = mx * dy - my * dx;
+    const v_float32x4 least = cv::v_setall_f32(0.2f), most = cv::v_setall_f32(-0.2f);
+    const v_float32x4 after = (forward_a >= least) & (forward_b >= least);
+    const v_float32x4 before = (forward_a <= most) & (forward_b <= most);
+    const v_float32x4 alike = nx * mx + ny * my >= cv::v_setall_f32(0.3f);
+    const v_float32x4 aside = cv::v_abs(nx * dx + ny * dy) + cv::v_abs(mx * dx + my * dy);
+    const v_float32x4 cost = cv::v_sqrt(dx * dx + dy * dy) + cv::v_setall_f32(1.5f) * aside;
+    cv::v_store(costs, cv::v_select((after | before) & alike, cost, cv::v_setall_f32(kNoLink)));
+    const int mask = cv::v_signmask(after);
+    for (int k = 0; k < kLanes; ++k) signs[k] = (mask >> k & 1) != 0 ? 1 : -1;
   }
 
   // Finds the best free successor (sign 1) or predecessor (sign -1) of point i; a better claim takes a
