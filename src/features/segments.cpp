@@ -34,7 +34,7 @@ void fitPiece(const std::vector<EdgePoint>& points, const LineSums& sums, Piece*
 void setUncertainty(const LineFit& line, double spacing, double correlation_length, int count,
                     LineSegment* s) {
   const double correlated = std::max(1.0, correlation_length / spacing);
-  const double excess = std::max(1.0, line.chi2 / std::max(1, count - 2));
+  const double excess = (line.chi2 + 2) / (std::max(0, count - 2) + 2);
   s->sigma_offset = std::sqrt(correlated * excess / line.weight);
   s->sigma_angle = std::sqrt(correlated * excess / std::max(line.spread, 1e-9));
 }
