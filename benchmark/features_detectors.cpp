@@ -30,6 +30,7 @@ void runEdgeDrawing(const cv::Mat& grey, Wanted wanted) {
 
 std::vector<BenchSegment> fromLines(const std::vector<cv::Vec4f>& lines) {
   std::vector<BenchSegment> out;
+  out.reserve(lines.size());
   for (const cv::Vec4f& l : lines) out.push_back({{l[0], l[1]}, {l[2], l[3]}});
   return out;
 }
