@@ -102,14 +102,19 @@ BENCHMARK(BM_Undistortion)->Unit(benchmark::kMillisecond);
 
 void BM_Arcs(benchmark::State& state) {
   const Stages s;
-  for (auto _ : state) benchmark::DoNotOptimize(findArcs(s.edges, s.map.correlation_length, s.options));
+  for (auto _ : state) {
+    TracePolygons polygons;
+    benchmark::DoNotOptimize(findArcs(s.edges, s.map.correlation_length, s.options, &polygons));
+  }
 }
 BENCHMARK(BM_Arcs)->Unit(benchmark::kMillisecond);
 
 void BM_Segments(benchmark::State& state) {
   const Stages s;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(findSegments(s.edges, {}, s.map.correlation_length, s.options));
+  for (auto _ : state) {
+    TracePolygons none;  // so that it makes its own
+    benchmark::DoNotOptimize(findSegments(s.edges, {}, s.map.correlation_length, s.options, &none));
+  }
 }
 BENCHMARK(BM_Segments)->Unit(benchmark::kMillisecond);
 

@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kArcFitPoints = 32;
+constexpr int kArcFitPoints = 32, kSettleFitPoints = 160;
 
 // A piece of the polygon that approximates a trace.
 struct Chord {
@@ -19,8 +19,9 @@ double wrap(double angle) { return angle - 2 * M_PI * std::floor(angle / (2 * M_
 
 class ArcFinder {
  public:
-  ArcFinder(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options)
-      : edges_(edges), correlation_length_(correlation_length), options_(options) {}
+  ArcFinder(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options,
+            TracePolygons* polygons)
+      : edges_(edges), correlation_length_(correlation_length), options_(options), polygons_(*polygons) {}
 
   void add(int trace, std::vector<EllipticArc>* out) {
     const EdgeTrace& t = edges_.traces[trace];
@@ -28,7 +29,9 @@ class ArcFinder {
     sums_.assign(edges_.points, t.first, t.count);
     if (sums_.chi2(t.first, t.first + t.count) < 2.0 * t.count) return;  // plainly straight
     tolerance_ = splitTolerance(edges_.points, range, options_);
-    makeChords(polygonBreaks(edges_.points, sums_, range, tolerance_));
+    const std::vector<int> breaks = polygonBreaks(edges_.points, sums_, range, tolerance_);
+    polygons_.add(trace, breaks);
+    makeChords(breaks);
     found_.clear();
     for (size_t i = 0; i + 1 < chords_.size();) {
       const size_t end = runEnd(i);
@@ -70,40 +73,44 @@ class ArcFinder {
     return end;
   }
 
-  EllipseFit fit(size_t begin, size_t end) const {
-    const std::vector<PointRange> range{{chords_[begin].begin, chords_[end - 1].end - chords_[begin].begin}};
-    const EllipseFit direct = fitEllipseDirect(edges_.points, range, kArcFitPoints);
-    if (!direct.valid) return direct;
+  EllipseFit fit(size_t begin, size_t end) {
+    const PointRange range{chords_[begin].begin, chords_[end - 1].end - chords_[begin].begin};
+    fit_points_.assign(edges_.points, &range, 1, kArcFitPoints);
+    const EllipseFit direct = fitEllipseDirect(fit_points_);
     // What the direct fit misses by far no refinement will save.
-    const EllipseFit first = refineEllipse(edges_.points, range, direct.ellipse, kArcFitPoints, 0);
-    if (!first.valid || first.rms > 3 * tolerance_) return first;
-    return refineEllipse(edges_.points, range, direct.ellipse, kArcFitPoints, 3);
+    return direct.valid ? refineEllipse(fit_points_, direct.ellipse, 3, 3 * tolerance_) : direct;
   }
 
   bool believable(const EllipseFit& f, size_t begin, size_t end) const {
     if (!f.valid || f.ellipse.b < 0.7 * options_.min_ellipse_axis) return false;
     if (f.rms > std::max(0.3, 0.5 * tolerance_)) return false;
-    // Minimum description length against the straight pieces: chi2 / 2 plus about six nats per number.
-    const int first = chords_[begin].begin, last = chords_[end - 1].end;
-    double lines = 0;
-    for (size_t i = begin; i < end; ++i) lines += sums_.chi2(chords_[i].begin, chords_[i].end);
-    const double points_per_used = double(last - first) / f.count;
-    const double arc = f.chi2 * points_per_used;
-    const double line_cost = 12.0 * double(end - begin), arc_cost = 30.0;
-    return 0.5 * arc / correlation_length_ + arc_cost < 0.5 * lines / correlation_length_ + line_cost;
+    const double points_per_used = double(chords_[end - 1].end - chords_[begin].begin) / f.count;
+    return 0.5 * f.chi2 * points_per_used / correlation_length_ + kArcCost < polygonCost(begin, end);
   }
 
-  // Enough points, and a turn between the middles of the end chords that leaves a chance of the least sweep.
+  // Minimum description length [nats] of the straight pieces, chi2 / 2 plus about six per number; an arc has
+  // to be shorter.
+  static constexpr double kArcCost = 30.0, kChordCost = 12.0;
+  double polygonCost(size_t begin, size_t end) const {
+    double lines = 0;
+    for (size_t i = begin; i < end; ++i) lines += sums_.chi2(chords_[i].begin, chords_[i].end);
+    return 0.5 * lines / correlation_length_ + kChordCost * double(end - begin);
+  }
+
+  // Enough points, a turn between the middles of the end chords that leaves a chance of the least sweep, and
+  // a polygon that an arc without residuals would beat.
   bool worthTrying(size_t begin, size_t end) const {
     return chords_[end - 1].end - chords_[begin].begin >= 8 &&
-           std::fabs(turned_[end - 1] - turned_[begin]) > 0.6 * options_.min_arc_sweep;
+           std::fabs(turned_[end - 1] - turned_[begin]) > 0.6 * options_.min_arc_sweep &&
+           kArcCost < polygonCost(begin, end);
   }
 
   // Accepts the run, or the longer part after dropping the end chord whose loss helps more, or its two
   // halves.
   void tryRun(size_t begin, size_t end, int depth) {
-    while (end - begin >= 2 && worthTrying(begin, end)) {
-      const EllipseFit whole = fit(begin, end);
+    if (end - begin < 2 || !worthTrying(begin, end)) return;
+    EllipseFit whole = fit(begin, end);
+    for (;;) {
       if (believable(whole, begin, end)) {
         found_.push_back({chords_[begin].begin, chords_[end - 1].end, whole});
         return;
@@ -118,6 +125,8 @@ class ArcFinder {
       const EllipseFit head = fit(begin, end - 1), tail = fit(begin + 1, end);
       const bool drop_tail = !tail.valid || (head.valid && head.chi2 / head.count < tail.chi2 / tail.count);
       drop_tail ? --end : ++begin;
+      whole = drop_tail ? head : tail;
+      if (!worthTrying(begin, end)) return;
     }
   }
 
@@ -126,23 +135,26 @@ class ArcFinder {
     EllipseFit fit;
   };
 
-  bool onEllipse(const EllipseFit& f, int i) const {
+  bool onEllipse(const EllipseFrame& ellipse, double rms, int i) const {
     const EdgePoint& p = edges_.points[i];
-    const EllipseDistance d = distanceTo(f.ellipse, p.uv.cast<double>());
-    const double limit = std::max(3 * fitSigma(p), 2 * f.rms) + 0.1;
+    const EllipseDistance d = ellipse.distanceTo(p.uv.cast<double>());
+    const double limit = std::max(3 * fitSigma(p), 2 * rms) + 0.1;
     return std::fabs(d.distance) < limit && std::fabs(d.normal.dot(p.normal.cast<double>())) > 0.93;
   }
 
   // Moves the ends of an arc to where the trace leaves its ellipse, and fits again.
-  void settle(Found* arc, int low, int high) const {
+  void settle(Found* arc, int low, int high) {
     for (int round = 0; round < 8; ++round) {  // each round may see a little farther
       const int begin = arc->begin, end = arc->end;
-      while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->begin)) ++arc->begin;
-      while (arc->end - arc->begin > 8 && !onEllipse(arc->fit, arc->end - 1)) --arc->end;
-      while (arc->begin > low && onEllipse(arc->fit, arc->begin - 1)) --arc->begin;
-      while (arc->end < high && onEllipse(arc->fit, arc->end)) ++arc->end;
-      const EllipseFit again =
-          refineEllipse(edges_.points, {{arc->begin, arc->end - arc->begin}}, arc->fit.ellipse, 160, 6);
+      const EllipseFrame frame(arc->fit.ellipse);
+      const auto on = [&](int i) { return onEllipse(frame, arc->fit.rms, i); };
+      while (arc->end - arc->begin > 8 && !on(arc->begin)) ++arc->begin;
+      while (arc->end - arc->begin > 8 && !on(arc->end - 1)) --arc->end;
+      while (arc->begin > low && on(arc->begin - 1)) --arc->begin;
+      while (arc->end < high && on(arc->end)) ++arc->end;
+      const PointRange range{arc->begin, arc->end - arc->begin};
+      fit_points_.assign(edges_.points, &range, 1, kSettleFitPoints);
+      const EllipseFit again = refineEllipse(fit_points_, arc->fit.ellipse, 6);
       if (again.valid) arc->fit = again;
       if (begin == arc->begin && end == arc->end) break;
     }
@@ -171,10 +183,11 @@ class ArcFinder {
     a.trace = trace;
     a.first = arc.begin;
     a.count = arc.end - arc.begin;
-    a.start = eccentricAngle(a.ellipse, edges_.points[arc.begin].uv.cast<double>());
+    const EllipseFrame frame(a.ellipse);
+    a.start = frame.eccentricAngle(edges_.points[arc.begin].uv.cast<double>());
     double last = a.start;
     for (int i = arc.begin + 1; i < arc.end; ++i) {
-      const double now = eccentricAngle(a.ellipse, edges_.points[i].uv.cast<double>());
+      const double now = frame.eccentricAngle(edges_.points[i].uv.cast<double>());
       a.sweep += wrap(now - last);
       last = now;
     }
@@ -186,7 +199,9 @@ class ArcFinder {
   const LinkedEdges& edges_;
   const double correlation_length_;
   const FeatureOptions& options_;
+  TracePolygons& polygons_;
   LineSums sums_;
+  FitPoints fit_points_;
   double tolerance_ = 0;
   std::vector<Chord> chords_;
   std::vector<double> turned_;  // direction of each chord, unwrapped
@@ -196,9 +211,9 @@ class ArcFinder {
 }  // namespace
 
 std::vector<EllipticArc> findArcs(const LinkedEdges& edges, double correlation_length,
-                                  const FeatureOptions& options) {
+                                  const FeatureOptions& options, TracePolygons* polygons) {
   std::vector<EllipticArc> out;
-  ArcFinder finder(edges, correlation_length, options);
+  ArcFinder finder(edges, correlation_length, options, polygons);
   for (int t = 0; t < int(edges.traces.size()); ++t) finder.add(t, &out);
   return out;
 }

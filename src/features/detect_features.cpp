@@ -45,9 +45,10 @@ FeatureSet detectFeatures(const cv::Mat& grey, const Camera& camera, const Featu
   if (camera.distorted()) edges = undistortEdges(edges, camera, options.min_trace_points);
   rotateClosedTraces(&edges);
   const double correlation = map.correlation_length;
-  features.arcs = findArcs(edges, correlation, options);
+  TracePolygons polygons;
+  features.arcs = findArcs(edges, correlation, options, &polygons);
   features.ellipses = joinArcs(edges.points, features.arcs, correlation, options);
-  features.segments = findSegments(edges, pointsOfEllipses(features), correlation, options);
+  features.segments = findSegments(edges, pointsOfEllipses(features), correlation, options, &polygons);
   const std::vector<LineSegment> joined = joinSegments(features.segments, options);
   features.segments.insert(features.segments.end(), joined.begin(), joined.end());
   features.points = std::move(edges.points);

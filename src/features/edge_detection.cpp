@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/features/gradient.h"
+#include "vector_clones.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -38,6 +39,48 @@ Along alongGradient(const float* above, const float* here, const float* below, i
   return {minus, plus, t, 1.f};
 }
 
+// The pixels of a row where the magnitude reaches the threshold and no step along the gradient finds more:
+// alongGradient's comparison without its branches. Returns how many.
+MONOCULAR_EYE_HAND_VECTOR_CLONES
+int findMaxima(const float* above, const float* here, const float* below, const float* dx, const float* dy,
+               float threshold, int begin, int end, int16_t* found) {
+  constexpr int kRun = 16;  // pixels looked at together
+  int count = 0;
+  for (int from = begin; from < end; from += kRun) {
+    // The last run overlaps the one before it, or counts nothing outside the row.
+    const int x0 = std::max(begin, std::min(from, end - kRun)), n = std::min(kRun, end - x0);
+    int any = 0;
+    if (n == kRun)
+      for (int k = 0; k < kRun; ++k) any |= here[x0 + k] >= threshold;
+    if (n == kRun && !any) continue;
+    uint8_t maximum[kRun] = {};
+    const auto test = [&](int k) MONOCULAR_EYE_HAND_LAMBDA {
+      const int x = x0 + k;
+      const float m = here[x], gx = dx[x], gy = dy[x], ax = std::fabs(gx), ay = std::fabs(gy);
+      const bool wide = ax >= ay, falling = (gx >= 0) == (gy >= 0);
+      const float w = (wide ? ay : ax) / (wide ? ax : ay);
+      const float straight_plus = wide ? here[x + 1] : below[x],
+                  straight_minus = wide ? here[x - 1] : above[x];
+      const float rising_plus = wide ? above[x + 1] : below[x - 1];
+      const float rising_minus = wide ? below[x - 1] : above[x + 1];
+      const float corner_plus = falling ? below[x + 1] : rising_plus;
+      const float corner_minus = falling ? above[x - 1] : rising_minus;
+      const float plus = straight_plus + w * (corner_plus - straight_plus);
+      const float minus = straight_minus + w * (corner_minus - straight_minus);
+      maximum[k] = (m >= threshold) & (m > minus) & (m >= plus);
+    };
+    if (n == kRun)
+      for (int k = 0; k < kRun; ++k) test(k);
+    else
+      for (int k = 0; k < n; ++k) test(k);
+    for (int k = from - x0; k < n; ++k) {
+      found[count] = int16_t(x0 + k);
+      count += maximum[k];
+    }
+  }
+  return count;
+}
+
 // Squared standard deviation of a Gaussian profile with centre m and samples one step away, in steps squared:
 // x = 1 / (2 sigma^2) = -ln(1 - q), q = 1 - mean of the samples / m.
 float profileVariance(float second_difference, float m) {
@@ -49,20 +92,23 @@ float profileVariance(float second_difference, float m) {
 class PointFinder {
  public:
   PointFinder(EdgeMap* edges, float threshold, float difference_noise)
-      : edges_(*edges), threshold_(threshold), difference_noise_(difference_noise) {}
+      : edges_(*edges),
+        threshold_(threshold),
+        difference_noise_(difference_noise),
+        found_(size_t(edges->cols) + 1) {}
 
   void scan(int y, const Row& above, const Row& here, const Row& below) {
-    const float* m = here.magnitude.data();
-    for (int x = kBorder; x + kBorder < edges_.cols; ++x)
-      if (m[x] >= threshold_) test(x, y, above, here, below);
+    const int n =
+        findMaxima(above.magnitude.data(), here.magnitude.data(), below.magnitude.data(), here.dx.data(),
+                   here.dy.data(), threshold_, kBorder, edges_.cols - kBorder, found_.data());
+    for (int k = 0; k < n; ++k) add(found_[size_t(k)], y, above, here, below);
   }
 
  private:
-  void test(int x, int y, const Row& above, const Row& here, const Row& below) {
+  void add(int x, int y, const Row& above, const Row& here, const Row& below) {
     const float m = here.magnitude[x], gx = here.dx[x], gy = here.dy[x];
     const Along along =
         alongGradient(above.magnitude.data(), here.magnitude.data(), below.magnitude.data(), x, gx, gy);
-    if (!(m > along.behind && m >= along.ahead)) return;
     const float second = along.behind + along.ahead - 2 * m;
     const float delta =
         0.5f * (along.behind - along.ahead) / second;  // in steps along the axis of the larger part
@@ -75,7 +121,7 @@ class PointFinder {
     p.gradient = m;
     p.sigma = difference_noise_ * std::sqrt(step2) / -second;
     p.blur = std::sqrt(profileVariance(second, m) * step2);
-    edges_.index[size_t(y) * edges_.cols + x] = int32_t(edges_.points.size());
+    edges_.pixels.add(x, y, int32_t(edges_.points.size()));
     edges_.points.push_back(p);
     edges_.x.push_back(int16_t(x));
     edges_.y.push_back(int16_t(y));
@@ -83,6 +129,7 @@ class PointFinder {
 
   EdgeMap& edges_;
   const float threshold_, difference_noise_;
+  std::vector<int16_t> found_;
 };
 
 }  // namespace
@@ -96,8 +143,8 @@ EdgeMap detectEdgePoints(const cv::Mat& grey, const FeatureOptions& options) {
   edges.gradient_noise = noise * kernel.noise_gain;
   edges.threshold = std::max(options.gradient_threshold, options.noise_factor * edges.gradient_noise);
   edges.correlation_length = kernel.correlation_length;
-  edges.index.assign(size_t(grey.rows) * grey.cols, -1);
-  const size_t expected = edges.index.size() / 12;
+  edges.pixels.reset(grey.cols, grey.rows);
+  const size_t expected = grey.total() / 12;
   edges.points.reserve(expected);
   edges.x.reserve(expected);
   edges.y.reserve(expected);

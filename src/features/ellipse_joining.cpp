@@ -86,22 +86,29 @@ class ArcJoiner {
 
   bool brightInside(const Ellipse& e, int arc) const {
     double votes = 0;
+    const EllipseFrame frame(e);
     for (int k = 1; k <= 3; ++k) {
       const EdgePoint& p = points_[arcs_[arc].first + arcs_[arc].count * k / 4];
-      votes += distanceTo(e, p.uv.cast<double>()).normal.dot(p.normal.cast<double>());
+      votes += frame.distanceTo(p.uv.cast<double>()).normal.dot(p.normal.cast<double>());
     }
     return votes < 0;
   }
 
+  // A fit with the covariance of correlated neighbours and residuals as large as they are.
+  struct GroupFit : EllipseFit {
+    Eigen::Matrix<double, 5, 5> covariance;
+  };
+
   // Do the ends and the middle of an arc lie on the ellipse, as far as its covariance can tell, facing the
   // same way?
-  bool compatible(const EllipseFit& fit, bool bright_inside, int arc) const {
+  bool compatible(const GroupFit& fit, bool bright_inside, int arc) const {
+    const EllipseFrame frame(fit.ellipse);
     for (int k = 0; k <= 4; ++k) {
       const EdgePoint& p =
           points_[arcs_[arc].first + std::min(arcs_[arc].count - 1, arcs_[arc].count * k / 4)];
       const Eigen::Vector2d uv = p.uv.cast<double>();
-      const EllipseDistance d = distanceTo(fit.ellipse, uv);
-      const Eigen::Matrix<double, 1, 5> j = distanceJacobian(fit.ellipse, uv);
+      const EllipseDistance d = frame.distanceTo(uv);
+      const Eigen::Matrix<double, 1, 5> j = frame.distanceJacobian(uv);
       const double predicted = std::sqrt(std::max(0.0, (j * fit.covariance * j.transpose())(0, 0)));
       const double limit = std::min(4 * predicted + 4 * fitSigma(p) + 0.3, 0.2 * fit.ellipse.b + 1.0);
       if (std::fabs(d.distance) > limit) return false;
@@ -111,17 +118,16 @@ class ArcJoiner {
     return true;
   }
 
-  // Covariance of a fit with correlated neighbours and residuals as large as they are.
-  void scaleCovariance(EllipseFit* fit, double points_per_used) const {
-    const double excess = std::max(1.0, fit->chi2 / std::max(1, fit->count - 5));
-    fit->covariance *= excess * std::max(1.0, correlation_length_) / points_per_used;
-  }
-
-  EllipseFit fitGroup(const std::vector<int>& group, const Ellipse& start) const {
+  GroupFit fitGroup(const std::vector<int>& group, const Ellipse& start) {
     int total = 0;
     for (int i : group) total += arcs_[i].count;
-    EllipseFit fit = refineEllipse(points_, ranges(group), start, kFitPoints, 10);
-    if (fit.valid) scaleCovariance(&fit, double(total) / fit.count);
+    fit_points_.assign(points_, ranges(group), kFitPoints);
+    GroupFit fit;
+    static_cast<EllipseFit&>(fit) = refineEllipse(fit_points_, start, 10);
+    if (!fit.valid) return fit;
+    const double excess = std::max(1.0, fit.chi2 / std::max(1, fit.count - 5));
+    const double points_per_used = double(total) / fit.count;
+    fit.covariance = covarianceOf(fit) * excess * std::max(1.0, correlation_length_) / points_per_used;
     return fit;
   }
 
@@ -130,7 +136,7 @@ class ArcJoiner {
   void grow(int seed, std::vector<DetectedEllipse>* out) {
     if (std::fabs(arcs_[seed].sweep) < 0.8) return;
     std::vector<int> group{seed};
-    EllipseFit fit = fitGroup(group, arcs_[seed].ellipse);
+    GroupFit fit = fitGroup(group, arcs_[seed].ellipse);
     if (!fits(fit)) return;
     const bool bright = brightInside(fit.ellipse, seed);
     int tries = 0;
@@ -150,7 +156,7 @@ class ArcJoiner {
         if (++tries > kMaxJointFits) break;
         std::vector<int> larger = group;
         larger.push_back(i);
-        const EllipseFit joint = fitGroup(larger, fit.ellipse);
+        const GroupFit joint = fitGroup(larger, fit.ellipse);
         if (!fits(joint) || joint.chi2 / joint.count > 2.0 + 1.5 * fit.chi2 / fit.count) continue;
         if (!compatible(joint, bright, i)) continue;
         group = larger;
@@ -168,12 +174,13 @@ class ArcJoiner {
   double coverage(const std::vector<int>& group, const Ellipse& e) const {
     constexpr int kBins = 64;
     bool hit[kBins] = {};
+    const EllipseFrame frame(e);
     for (int i : group) {
       const int n = arcs_[i].count;
       for (int k = 0; k < n; ++k) {
         const Eigen::Vector2d uv = points_[arcs_[i].first + k].uv.cast<double>();
         // Mark the stretch that one point stands for, so that small ellipses fill their bins.
-        const double t = eccentricAngle(e, uv);
+        const double t = frame.eccentricAngle(uv);
         const double speed = std::hypot(e.a * std::sin(t), e.b * std::cos(t));
         const double half = 0.6 / std::max(1e-6, speed);
         const int from = int(std::floor((t - half) / (2 * M_PI) * kBins));
@@ -190,8 +197,7 @@ class ArcJoiner {
     return covered / all;
   }
 
-  bool describe(const std::vector<int>& group, const EllipseFit& fit, bool bright,
-                DetectedEllipse* out) const {
+  bool describe(const std::vector<int>& group, const GroupFit& fit, bool bright, DetectedEllipse* out) const {
     const Ellipse& e = fit.ellipse;
     if (e.b < options_.min_ellipse_axis || e.b < 0.08 * e.a) return false;
     out->coverage = coverage(group, e);
@@ -212,6 +218,7 @@ class ArcJoiner {
   const double correlation_length_;
   const FeatureOptions& options_;
   const ArcGrid grid_;
+  FitPoints fit_points_;
   std::vector<char> used_;
 };
 

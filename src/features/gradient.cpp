@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "vector_clones.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -24,8 +26,9 @@ double energy(const std::vector<double>& v) {
 }
 
 template <int R>
-void filterVertical(const float* const* rows, const float* g, const float* d, int cols, float* smooth,
-                    float* derivative) {
+MONOCULAR_EYE_HAND_INLINE void filterVertical(const float* const* rows, const float* g, const float* d,
+                                              int cols, float* __restrict smooth,
+                                              float* __restrict derivative) {
   for (int x = 0; x < cols; ++x) {
     float s = g[0] * rows[R][x], t = 0;
     for (int k = 1; k <= R; ++k) {
@@ -38,8 +41,9 @@ void filterVertical(const float* const* rows, const float* g, const float* d, in
 }
 
 template <int R>
-void filterHorizontal(const float* smooth, const float* derivative, const float* g, const float* d, int cols,
-                      float* dx, float* dy, float* magnitude) {
+MONOCULAR_EYE_HAND_INLINE void filterHorizontal(const float* smooth, const float* derivative, const float* g,
+                                                const float* d, int cols, float* __restrict dx,
+                                                float* __restrict dy, float* __restrict magnitude) {
   for (int x = 0; x < cols; ++x) {
     float s = g[0] * derivative[x], t = 0;
     for (int k = 1; k <= R; ++k) {
@@ -52,32 +56,81 @@ void filterHorizontal(const float* smooth, const float* derivative, const float*
   }
 }
 
-struct Filters {
-  decltype(&filterVertical<1>) vertical;
-  decltype(&filterHorizontal<1>) horizontal;
+// One row's filtering; s and d are padded by the radius on both sides.
+struct RowFilter {
+  const float* rows[2 * kMaxRadius + 1];
+  const float *g, *d;
+  float *smooth, *derivative;
+  int cols;
+  float *dx, *dy, *magnitude;
 };
 template <int R>
-constexpr Filters filters() {
-  return {&filterVertical<R>, &filterHorizontal<R>};
+MONOCULAR_EYE_HAND_INLINE void filterRow(const RowFilter& f) {
+  float g[R + 1], d[R + 1];
+  const float* rows[2 * R + 1];
+  std::copy(f.g, f.g + R + 1, g);
+  std::copy(f.d, f.d + R + 1, d);
+  std::copy(f.rows, f.rows + 2 * R + 1, rows);
+  filterVertical<R>(rows, g, d, f.cols, f.smooth, f.derivative);
+  for (float* v : {f.smooth, f.derivative}) {
+    std::fill(v - R, v, v[0]);
+    std::fill(v + f.cols, v + f.cols + R, v[f.cols - 1]);
+  }
+  filterHorizontal<R>(f.smooth, f.derivative, g, d, f.cols, f.dx, f.dy, f.magnitude);
 }
-const std::array<Filters, kMaxRadius> kFilters = {filters<1>(), filters<2>(), filters<3>(), filters<4>(),
-                                                  filters<5>(), filters<6>(), filters<7>(), filters<8>()};
+MONOCULAR_EYE_HAND_VECTOR_CLONES
+void filterRow(int radius, const RowFilter& f) {
+  switch (radius) {
+    case 1:
+      return filterRow<1>(f);
+    case 2:
+      return filterRow<2>(f);
+    case 3:
+      return filterRow<3>(f);
+    case 4:
+      return filterRow<4>(f);
+    case 5:
+      return filterRow<5>(f);
+    case 6:
+      return filterRow<6>(f);
+    case 7:
+      return filterRow<7>(f);
+    default:
+      return filterRow<kMaxRadius>(f);
+  }
+}
+
+// |second difference| by Immerkaer's mask at x = step .. cols - step - 1; -1 where the middle is clipped and
+// noise is cut off.
+MONOCULAR_EYE_HAND_VECTOR_CLONES
+void secondDifferences(const uchar* a, const uchar* b, const uchar* c, int step, int cols,
+                       int16_t* __restrict out) {
+  for (int x = step; x < cols - step; ++x) {
+    const int v = a[x - step] - 2 * a[x] + a[x + step] - 2 * b[x - step] + 4 * b[x] - 2 * b[x + step] +
+                  c[x - step] - 2 * c[x] + c[x + step];
+    const bool clipped = b[x] == 0 || b[x] == 255;
+    out[x] = int16_t(clipped ? -1 : v < 0 ? -v : v);
+  }
+}
 
 // Quantile of the absolute second differences at the given step over a sparse set of rows.
 double secondDifferenceNoise(const cv::Mat& grey, int step) {
   constexpr int kBins = 512;
   constexpr double kShare = 1.0 / 3, kNormalQuantile = 0.4307;  // P(|N(0,1)| < 0.4307) = 1/3
+  // Bin 0 counts the clipped ones. Four histograms, so that equal neighbours need not wait for each other.
+  std::array<std::array<int32_t, kBins + 1>, 4> parts{};
+  std::vector<int16_t> differences(size_t(grey.cols) + 3);
+  for (int y = step; y + step < grey.rows; y += 5) {
+    secondDifferences(grey.ptr(y - step), grey.ptr(y), grey.ptr(y + step), step, grey.cols,
+                      differences.data());
+    for (int x = step; x < grey.cols - step; ++x)
+      ++parts[size_t(x & 3)][size_t(std::min(int(differences[size_t(x)]), kBins - 1) + 1)];
+  }
   std::array<int64_t, kBins> histogram{};
   int64_t total = 0;
-  for (int y = step; y + step < grey.rows; y += 5) {
-    const uchar *a = grey.ptr(y - step), *b = grey.ptr(y), *c = grey.ptr(y + step);
-    for (int x = step; x + step < grey.cols; ++x) {
-      if (b[x] == 0 || b[x] == 255) continue;  // clipped: noise is cut off there
-      const int v = a[x - step] - 2 * a[x] + a[x + step] - 2 * b[x - step] + 4 * b[x] - 2 * b[x + step] +
-                    c[x - step] - 2 * c[x] + c[x + step];
-      ++histogram[std::min(std::abs(v), kBins - 1)];
-      ++total;
-    }
+  for (int bin = 0; bin < kBins; ++bin) {
+    for (const auto& part : parts) histogram[size_t(bin)] += part[size_t(bin + 1)];
+    total += histogram[size_t(bin)];
   }
   if (total == 0) return 0;
   const double wanted = kShare * double(total);
@@ -148,17 +201,18 @@ const float* GradientRows::row(int y) {
 }
 
 void GradientRows::compute(int y, float* dx, float* dy, float* magnitude) {
-  const int r = kernel_.radius, cols = grey_.cols;
-  const float* rows[2 * kMaxRadius + 1];
-  for (int k = -r; k <= r; ++k) rows[k + r] = row(y + k);
-  const Filters& filter = kFilters[r - 1];
-  float *s = smooth_.data() + r, *d = derivative_.data() + r;
-  filter.vertical(rows, kernel_.smooth.data(), kernel_.derivative.data(), cols, s, d);
-  for (float* v : {s, d}) {
-    std::fill(v - r, v, v[0]);
-    std::fill(v + cols, v + cols + r, v[cols - 1]);
-  }
-  filter.horizontal(s, d, kernel_.smooth.data(), kernel_.derivative.data(), cols, dx, dy, magnitude);
+  const int r = kernel_.radius;
+  RowFilter filter;
+  for (int k = -r; k <= r; ++k) filter.rows[k + r] = row(y + k);
+  filter.g = kernel_.smooth.data();
+  filter.d = kernel_.derivative.data();
+  filter.smooth = smooth_.data() + r;
+  filter.derivative = derivative_.data() + r;
+  filter.cols = grey_.cols;
+  filter.dx = dx;
+  filter.dy = dy;
+  filter.magnitude = magnitude;
+  filterRow(r, filter);
 }
 
 }  // namespace monocular_eye_hand

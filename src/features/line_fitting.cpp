@@ -21,20 +21,6 @@ void LineSums::assign(const std::vector<EdgePoint>& points, int first, int count
   }
 }
 
-LineSums::Moments LineSums::between(int begin, int end) const {
-  const Moments &a = sums_[begin - first_], &b = sums_[end - first_];
-  Moments m{b.w - a.w, b.x - a.x, b.y - a.y, b.xx - a.xx, b.xy - a.xy, b.yy - a.yy};
-  m.x /= m.w, m.y /= m.w;  // mean and central moments from here on
-  m.xx -= m.w * m.x * m.x, m.xy -= m.w * m.x * m.y, m.yy -= m.w * m.y * m.y;
-  return m;
-}
-
-double LineSums::chi2(int begin, int end) const {
-  const Moments m = between(begin, end);
-  const double half = 0.5 * (m.xx - m.yy);
-  return std::max(0.0, 0.5 * (m.xx + m.yy) - std::sqrt(half * half + m.xy * m.xy));
-}
-
 LineFit LineSums::fit(int begin, int end) const {
   const Moments m = between(begin, end);
   const double half = 0.5 * (m.xx - m.yy), root = std::sqrt(half * half + m.xy * m.xy);

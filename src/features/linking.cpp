@@ -1,8 +1,11 @@
 #include "monocular_eye_hand/features/linking.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <opencv2/core/hal/intrin.hpp>
 
 namespace monocular_eye_hand {
 namespace {
@@ -22,9 +25,13 @@ class Linker {
     // The second round gives points that lost their neighbour to a better one another chance.
     for (int round = 0; round < 2; ++round)
       for (int i = 0; i < int(edges_.points.size()); ++i) {
-        if (next_[i] < 0) seek(i, 1);
-        if (previous_[i] < 0) seek(i, -1);
+        if (next_[i] >= 0 && previous_[i] >= 0) continue;
+        const Window window(edges_, i);
+        Neighbours found;
+        if (next_[i] < 0) seek(i, 1, window, &found);
+        if (previous_[i] < 0) seek(i, -1, window, &found);
       }
+    findLooseStarts();
     for (int i = 0; i < int(edges_.points.size()); ++i)
       if (next_[i] < 0 && previous_[i] >= 0) bridge(i);
   }
@@ -33,25 +40,117 @@ class Linker {
 
  private:
   // Cost of b as successor of a: distance plus departure from both tangents; kNoLink when b does not continue
-  // a.
+  // a. The cost of a as predecessor of b is the same.
   float cost(int a, int b) const {
     const EdgePoint &p = edges_.points[a], &q = edges_.points[b];
     const float dx = q.uv.x() - p.uv.x(), dy = q.uv.y() - p.uv.y();
     const float forward_a = -p.normal.y() * dx + p.normal.x() * dy;
     const float forward_b = -q.normal.y() * dx + q.normal.x() * dy;
-    const float turn = p.normal.dot(q.normal);
-    if (forward_a < 0.2f || forward_b < 0.2f || turn < 0.3f) return kNoLink;
+    if (forward_a < 0.2f || forward_b < 0.2f || p.normal.dot(q.normal) < 0.3f) return kNoLink;
     const float aside =
         std::fabs(p.normal.x() * dx + p.normal.y() * dy) + std::fabs(q.normal.x() * dx + q.normal.y() * dy);
     return std::sqrt(dx * dx + dy * dy) + 1.5f * aside;
   }
 
+  // The points on the rings of pixels one and two away from a point, in raster order.
+  class Window {
+   public:
+    // Edge points keep two pixels from the border: the window lies in the image.
+    Window(const EdgeMap& edges, int i) : edges_(edges), x_(edges.x[i] - 2), y_(edges.y[i] - 2) {
+      for (int k = 0; k < 5; ++k) bits_ |= edges.pixels.five(x_, y_ + k) << (5 * k);
+    }
+    /// Puts the points of a ring into `points`; returns how many.
+    int ring(int reach, int32_t* points) const {
+      // Five bits per row, the top row lowest.
+      constexpr uint32_t kInner = (14u << 5) | (10u << 10) | (14u << 15);
+      constexpr uint32_t kOuter = 31u | (17u << 5) | (17u << 10) | (17u << 15) | (31u << 20);
+      int count = 0;
+      for (uint32_t left = bits_ & (reach == 1 ? kInner : kOuter); left; left &= left - 1) {
+        const int at = lowestBit(left), row = at / 5;
+        points[count++] = edges_.pixels.point(x_ + at - 5 * row, y_ + row);
+      }
+      return count;
+    }
+
+   private:
+    static int lowestBit(uint32_t v) {  // de Bruijn multiplication
+      static constexpr int8_t kPlace[32] = {0,  1,  28, 2,  29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4,  8,
+                                            31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6,  11, 5,  10, 9};
+      return kPlace[((v & (~v + 1)) * 0x077CB531u) >> 27];
+    }
+    const EdgeMap& edges_;
+    const int x_, y_;
+    uint32_t bits_ = 0;
+  };
+
+  // Those of them that continue a point.
+  struct Neighbours {
+    struct One {
+      int point, sign;
+      float cost;
+    };
+    std::array<One, 8 + 16> ring;
+    int end[3] = {0, 0, 0};  // of ring r: ring[end[r - 1] .. end[r])
+    int reach = 0;           // rings looked at
+  };
+  void look(int i, int reach, const Window& window, Neighbours* found) const {
+    if (found->reach >= reach) return;
+    found->reach = reach;
+    int32_t present[16];
+    const int count = window.ring(reach, present);
+    int n = found->end[reach - 1];
+    for (int from = 0; from < count; from += kLanes) {
+      float costs[kLanes];
+      int signs[kLanes];
+      lookAtFour(i, present + from, std::min(kLanes, count - from), costs, signs);
+      for (int k = 0; k < kLanes && from + k < count; ++k)
+        if (costs[k] < kNoLink) found->ring[size_t(n++)] = {present[from + k], signs[k], costs[k]};
+    }
+    found->end[reach] = n;
+  }
+
+  // Cost of linking a with up to four neighbours b, all at once, and whether they come after (1) or before
+  // (-1) it.
+  static constexpr int kLanes = 4;
+  void lookAtFour(int a, const int32_t* b, int count, float* costs, int* signs) const {
+    static_assert(offsetof(EdgePoint, uv) == 0 && offsetof(EdgePoint, normal) == 8, "loaded together below");
+    using cv::v_float32x4;
+    const auto load = [&](int i) { return cv::v_load(reinterpret_cast<const float*>(&edges_.points[i])); };
+    const EdgePoint& p = edges_.points[a];
+    const v_float32x4 nx = cv::v_setall_f32(p.normal.x()), ny = cv::v_setall_f32(p.normal.y());
+    v_float32x4 qx, qy, mx, my;
+    cv::v_transpose4x4(load(b[0]), load(b[std::min(1, count - 1)]), load(b[std::min(2, count - 1)]),
+                       load(b[count - 1]), qx, qy, mx, my);
+    const v_float32x4 dx = qx - cv::v_setall_f32(p.uv.x()), dy = qy - cv::v_setall_f32(p.uv.y());
+    const v_float32x4 forward_a = nx * dy - ny * dx, forward_b = mx * dy - my * dx;
+    const v_float32x4 least = cv::v_setall_f32(0.2f), most = cv::v_setall_f32(-0.2f);
+    const v_float32x4 after = (forward_a >= least) & (forward_b >= least);
+    const v_float32x4 before = (forward_a <= most) & (forward_b <= most);
+    const v_float32x4 alike = nx * mx + ny * my >= cv::v_setall_f32(0.3f);
+    const v_float32x4 aside = cv::v_abs(nx * dx + ny * dy) + cv::v_abs(mx * dx + my * dy);
+    const v_float32x4 cost = cv::v_sqrt(dx * dx + dy * dy) + cv::v_setall_f32(1.5f) * aside;
+    cv::v_store(costs, cv::v_select((after | before) & alike, cost, cv::v_setall_f32(kNoLink)));
+    const int mask = cv::v_signmask(after);
+    for (int k = 0; k < kLanes; ++k) signs[k] = (mask >> k & 1) != 0 ? 1 : -1;
+  }
+
   // Finds the best free successor (sign 1) or predecessor (sign -1) of point i; a better claim takes a
   // neighbour over.
-  void seek(int i, int sign) {
+  void seek(int i, int sign, const Window& window, Neighbours* found) {
     int best = -1;
     float best_cost = kNoLink;
-    for (int reach = 1; reach <= 2 && best < 0; ++reach) ring(i, sign, reach, &best, &best_cost);
+    for (int reach = 1; reach <= 2 && best < 0; ++reach) {
+      look(i, reach, window, found);
+      for (int k = found->end[reach - 1]; k < found->end[reach]; ++k) {
+        const Neighbours::One& one = found->ring[size_t(k)];
+        if (one.sign != sign || one.cost >= best_cost) continue;
+        const int j = one.point;
+        const int rival = sign > 0 ? previous_[j] : (next_[j] >= 0 ? j : -1);
+        if (rival >= 0 && next_cost_[rival] <= one.cost) continue;
+        best = j;
+        best_cost = one.cost;
+      }
+    }
     if (best < 0) return;
     const int from = sign > 0 ? i : best, to = sign > 0 ? best : i;
     if (sign > 0 && previous_[to] >= 0) unlink(previous_[to], to);
@@ -61,23 +160,16 @@ class Linker {
     next_cost_[from] = best_cost;
   }
 
-  void ring(int i, int sign, int reach, int* best, float* best_cost) const {
-    const int x0 = edges_.x[i], y0 = edges_.y[i];
-    for (int y = std::max(0, y0 - reach); y <= std::min(edges_.rows - 1, y0 + reach); ++y) {
-      const bool inside_row = std::abs(y - y0) < reach;
-      const int32_t* row = edges_.index.data() + size_t(y) * edges_.cols;
-      for (int x = x0 - reach; x <= x0 + reach; x += inside_row ? 2 * reach : 1) {
-        if (x < 0 || x >= edges_.cols) continue;
-        const int j = row[x];
-        if (j < 0) continue;
-        const float c = sign > 0 ? cost(i, j) : cost(j, i);
-        if (c >= *best_cost) continue;
-        const int rival = sign > 0 ? previous_[j] : (next_[j] >= 0 ? j : -1);
-        if (rival >= 0 && next_cost_[rival] <= c) continue;
-        *best = j;
-        *best_cost = c;
-      }
+  bool looseStart(int i) const { return previous_[i] < 0 && next_[i] >= 0; }
+  // Bridging makes no new ones.
+  void findLooseStarts() {
+    starts_of_row_.assign(size_t(edges_.rows) + 1, 0);
+    for (int i = 0; i < int(edges_.points.size()); ++i) {
+      if (!looseStart(i)) continue;
+      starts_.push_back(i);
+      ++starts_of_row_[size_t(edges_.y[i]) + 1];
     }
+    for (size_t y = 1; y < starts_of_row_.size(); ++y) starts_of_row_[y] += starts_of_row_[y - 1];
   }
 
   // Links the loose end i with a loose start nearby: across a gap of a few pixels, or over an end point that
@@ -86,19 +178,20 @@ class Linker {
     constexpr int kReach = 4;
     int from = -1, to = -1, skipped = -1;
     float best = kNoLink;
-    for (int y = std::max(0, edges_.y[i] - kReach); y <= std::min(edges_.rows - 1, edges_.y[i] + kReach); ++y)
-      for (int x = std::max(0, edges_.x[i] - kReach); x <= std::min(edges_.cols - 1, edges_.x[i] + kReach);
-           ++x) {
-        const int j = edges_.index[size_t(y) * edges_.cols + x];
-        if (j < 0 || j == i || previous_[j] >= 0 || next_[j] < 0) continue;
-        for (int a : {i, previous_[i]})
-          for (int b : {j, next_[j]}) {
-            if (a == b) continue;
-            const float c = cost(a, b);
-            if (c >= best || !inLine(a, b)) continue;
-            best = c, from = a, to = b, skipped = j;
-          }
-      }
+    const int x0 = edges_.x[i], y0 = edges_.y[i];
+    const int first = starts_of_row_[size_t(std::max(0, y0 - kReach))];
+    const int last = starts_of_row_[size_t(std::min(edges_.rows - 1, y0 + kReach)) + 1];
+    for (int k = first; k < last; ++k) {
+      const int j = starts_[size_t(k)];
+      if (std::abs(edges_.x[j] - x0) > kReach || j == i || !looseStart(j)) continue;
+      for (int a : {i, previous_[i]})
+        for (int b : {j, next_[j]}) {
+          if (a == b) continue;
+          const float c = cost(a, b);
+          if (c >= best || !inLine(a, b)) continue;
+          best = c, from = a, to = b, skipped = j;
+        }
+    }
     if (from < 0) return;
     if (from != i) unlink(from, i);
     if (to != skipped) unlink(skipped, to);
@@ -124,6 +217,7 @@ class Linker {
   const EdgeMap& edges_;
   std::vector<int> next_, previous_;
   std::vector<float> next_cost_;
+  std::vector<int> starts_, starts_of_row_;
 };
 
 // A trace is kept when noise alone would make fewer than one as strong: each independent point exceeds

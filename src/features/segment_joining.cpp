@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <tuple>
 
 #include "monocular_eye_hand/features/joining.h"
 #include "monocular_eye_hand/features/line_fitting.h"
@@ -16,6 +16,31 @@ struct Line {
   double along;          // middle along the direction
 };
 
+// What collinear() asks of a segment, computed once.
+struct Stretch {
+  Eigen::Vector2d p, q, middle, direction;
+  double length, sigma_offset, sigma_angle;
+  explicit Stretch(const LineSegment& s)
+      : p(s.p),
+        q(s.q),
+        middle(0.5 * (s.p + s.q)),
+        direction(s.direction()),
+        length(s.length()),
+        sigma_offset(s.sigma_offset),
+        sigma_angle(s.sigma_angle) {}
+};
+
+// A segment in its cell of (angle, offset), by its place along the line.
+struct Entry {
+  int angle_cell, offset_cell;
+  double along;
+  int segment;
+  bool operator<(const Entry& other) const {
+    return std::tie(angle_cell, offset_cell, along, segment) <
+           std::tie(other.angle_cell, other.offset_cell, other.along, other.segment);
+  }
+};
+
 // One candidate join.
 struct Pair {
   int a, b;
@@ -29,6 +54,8 @@ class SegmentJoiner {
     for (const LineSegment& s : plain) reference_ += 0.5 * (s.p + s.q);
     if (!plain.empty()) reference_ /= double(plain.size());
     for (size_t i = 0; i < plain.size(); ++i) parent_[i] = int(i);
+    stretches_.reserve(plain.size());
+    for (const LineSegment& s : plain) stretches_.emplace_back(s);
   }
 
   std::vector<LineSegment> run() {
@@ -46,8 +73,6 @@ class SegmentJoiner {
   }
 
  private:
-  using Cell = std::pair<int, int>;
-
   Line lineOf(const LineSegment& s) const {
     Eigen::Vector2d d = s.direction();
     if (d.y() < 0 || (d.y() == 0 && d.x() < 0)) d = -d;
@@ -59,16 +84,16 @@ class SegmentJoiner {
   // the line. The offset is taken about the middle of all segments; a far segment's offset moves with its
   // angle error, which is why the cells are as wide as they are.
   std::vector<Pair> candidates() const {
-    std::map<Cell, std::vector<std::pair<double, int>>> cells;
+    std::vector<Entry> entries;
     std::vector<Line> lines;
     const int turns = int(std::lround(M_PI / kAngleCell));
     for (int i = 0; i < int(plain_.size()); ++i) {
       const Line l = lineOf(plain_[i]);
       lines.push_back(l);
       const int a = std::min(turns - 1, int(l.angle / kAngleCell));
-      cells[{a, int(std::floor(l.offset / kOffsetCell))}].push_back({l.along, i});
+      entries.push_back({a, int(std::floor(l.offset / kOffsetCell)), l.along, i});
     }
-    for (auto& cell : cells) std::sort(cell.second.begin(), cell.second.end());
+    std::sort(entries.begin(), entries.end());
     std::vector<Pair> pairs;
     for (int i = 0; i < int(plain_.size()); ++i) {
       const Line& l = lines[i];
@@ -79,36 +104,39 @@ class SegmentJoiner {
         const int cell_a = (a + da + turns) % turns;
         const double offset = flipped ? -l.offset : l.offset, along = flipped ? -l.along : l.along;
         const int o = int(std::floor(offset / kOffsetCell));
-        for (int cell_o = o - 1; cell_o <= o + 1; ++cell_o) {
-          const auto found = cells.find({cell_a, cell_o});
-          if (found != cells.end()) look(i, along, found->second, &pairs);
-        }
+        for (int cell_o = o - 1; cell_o <= o + 1; ++cell_o)
+          look(i, {cell_a, cell_o, along, i}, entries, &pairs);
       }
     }
     return pairs;
   }
 
-  void look(int i, double along, const std::vector<std::pair<double, int>>& row,
-            std::vector<Pair>* pairs) const {
-    const auto here = std::lower_bound(row.begin(), row.end(), std::make_pair(along, i));
+  // Looks at the entries before and after a place in its cell.
+  void look(int i, const Entry& place, const std::vector<Entry>& entries, std::vector<Pair>* pairs) const {
+    const auto same_cell = [&](const Entry& e) {
+      return e.angle_cell == place.angle_cell && e.offset_cell == place.offset_cell;
+    };
+    const auto here = std::lower_bound(entries.begin(), entries.end(), place);
     int n = 0;
-    for (auto it = here; it != row.end() && n < kNeighbours; ++it, ++n) consider(i, it->second, pairs);
+    for (auto it = here; it != entries.end() && same_cell(*it) && n < kNeighbours; ++it, ++n)
+      consider(i, it->segment, pairs);
     n = 0;
-    for (auto it = here; it != row.begin() && n < kNeighbours; ++n) consider(i, (--it)->second, pairs);
+    for (auto it = here; it != entries.begin() && same_cell(*(it - 1)) && n < kNeighbours; ++n)
+      consider(i, (--it)->segment, pairs);
   }
 
   void consider(int i, int j, std::vector<Pair>* pairs) const {
     if (i >= j) return;  // each pair is met from both sides; keep one
     double gap;
-    if (collinear(plain_[i], plain_[j], &gap)) pairs->push_back({i, j, gap});
+    if (collinear(stretches_[i], stretches_[j], &gap)) pairs->push_back({i, j, gap});
   }
 
   // Two segments on one line: no overlap, a gap within the ratio, ends of each within the uncertainty of the
   // other.
-  bool collinear(const LineSegment& a, const LineSegment& b, double* gap) const {
-    const LineSegment &longer = a.length() >= b.length() ? a : b, &shorter = a.length() >= b.length() ? b : a;
-    const Eigen::Vector2d d = longer.direction(), n(-d.y(), d.x()), m = 0.5 * (longer.p + longer.q);
-    const double half = 0.5 * longer.length();
+  bool collinear(const Stretch& a, const Stretch& b, double* gap) const {
+    const Stretch &longer = a.length >= b.length ? a : b, &shorter = a.length >= b.length ? b : a;
+    const Eigen::Vector2d &d = longer.direction, n(-d.y(), d.x()), &m = longer.middle;
+    const double half = 0.5 * longer.length;
     double t0 = d.dot(shorter.p - m), t1 = d.dot(shorter.q - m);
     if (t0 > t1) std::swap(t0, t1);
     *gap = t0 > 0 ? t0 - half : -half - t1;
@@ -119,11 +147,11 @@ class SegmentJoiner {
       const double sigma =
           std::sqrt(longer.sigma_offset * longer.sigma_offset + std::pow(longer.sigma_angle * along, 2) +
                     shorter.sigma_offset * shorter.sigma_offset +
-                    std::pow(0.5 * shorter.length() * shorter.sigma_angle, 2));
+                    std::pow(0.5 * shorter.length * shorter.sigma_angle, 2));
       const double limit = std::min(3 * sigma + 0.3, options_.split_tolerance + 0.5);
       if (std::fabs(n.dot(end - m)) > limit) return false;
     }
-    const double cross = std::fabs(d.x() * shorter.direction().y() - d.y() * shorter.direction().x());
+    const double cross = std::fabs(d.x() * shorter.direction.y() - d.y() * shorter.direction.x());
     return cross < std::max(0.05, std::min(0.2, 4 * shorter.sigma_angle));
   }
 
@@ -138,7 +166,7 @@ class SegmentJoiner {
     double gap;
     const LineSegment left = members_[a].size() > 1 ? joined(members_[a]) : plain_[a];
     const LineSegment right = members_[b].size() > 1 ? joined(members_[b]) : plain_[b];
-    if (!collinear(left, right, &gap)) return;
+    if (!collinear(Stretch(left), Stretch(right), &gap)) return;
     const int keep = std::min(a, b), drop = std::max(a, b);
     parent_[drop] = keep;
     members_[keep].insert(members_[keep].end(), members_[drop].begin(), members_[drop].end());
@@ -200,6 +228,7 @@ class SegmentJoiner {
   const std::vector<LineSegment>& plain_;
   const FeatureOptions& options_;
   Eigen::Vector2d reference_ = Eigen::Vector2d::Zero();
+  std::vector<Stretch> stretches_;
   std::vector<int> parent_;
   std::vector<std::vector<int>> members_;
 };

@@ -34,7 +34,7 @@ void fitPiece(const std::vector<EdgePoint>& points, const LineSums& sums, Piece*
 void setUncertainty(const LineFit& line, double spacing, double correlation_length, int count,
                     LineSegment* s) {
   const double correlated = std::max(1.0, correlation_length / spacing);
-  const double excess = std::max(1.0, line.chi2 / std::max(1, count - 2));
+  const double excess = (line.chi2 + 2) / (std::max(0, count - 2) + 2);
   s->sigma_offset = std::sqrt(correlated * excess / line.weight);
   s->sigma_angle = std::sqrt(correlated * excess / std::max(line.spread, 1e-9));
 }
@@ -57,13 +57,18 @@ Corner intersect(const LineFit& a, const LineFit& b, const Eigen::Vector2d& near
 
 class TraceSegments {
  public:
-  TraceSegments(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options)
-      : edges_(edges), correlation_length_(correlation_length), options_(options) {}
+  TraceSegments(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options,
+                TracePolygons* polygons)
+      : edges_(edges), correlation_length_(correlation_length), options_(options), polygons_(*polygons) {}
 
   void add(int trace, PointRange range, bool closed, std::vector<LineSegment>* out) {
     sums_.assign(edges_.points, range.first, range.count);
-    const double tolerance = splitTolerance(edges_.points, range, options_);
-    std::vector<int> breaks = polygonBreaks(edges_.points, sums_, range, tolerance);
+    const bool whole = range.count == edges_.traces[trace].count;
+    std::vector<int> breaks;
+    if (!whole || !polygons_.take(trace, &breaks)) {
+      const double tolerance = splitTolerance(edges_.points, range, options_);
+      breaks = polygonBreaks(edges_.points, sums_, range, tolerance);
+    }
     mergeBreaks(edges_.points, sums_, correlation_length_, options_.split_tolerance, &breaks);
     pieces_.clear();
     const size_t n = breaks.size() - 1;
@@ -126,6 +131,7 @@ class TraceSegments {
   const LinkedEdges& edges_;
   const double correlation_length_;
   const FeatureOptions& options_;
+  TracePolygons& polygons_;
   LineSums sums_;
   std::vector<Piece> pieces_;
 };
@@ -133,9 +139,10 @@ class TraceSegments {
 }  // namespace
 
 std::vector<LineSegment> findSegments(const LinkedEdges& edges, const std::vector<PointRange>& taken,
-                                      double correlation_length, const FeatureOptions& options) {
+                                      double correlation_length, const FeatureOptions& options,
+                                      TracePolygons* polygons) {
   std::vector<LineSegment> out;
-  TraceSegments segments(edges, correlation_length, options);
+  TraceSegments segments(edges, correlation_length, options, polygons);
   size_t next = 0;  // first taken range that may touch the trace
   for (int t = 0; t < int(edges.traces.size()); ++t) {
     const EdgeTrace& trace = edges.traces[t];

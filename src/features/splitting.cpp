@@ -61,9 +61,20 @@ std::vector<int> polygonBreaks(const std::vector<EdgePoint>& points, const LineS
     }
   }
   breaks.back() = range.first + range.count;
-  for (int round = 0; round < 2; ++round)
-    for (size_t i = 1; i + 1 < breaks.size(); ++i)
-      breaks[i] = bestBreak(sums, breaks[i - 1], breaks[i], breaks[i + 1]);
+  // A break is looked at again when it or one beside it has moved.
+  std::vector<char> moved(breaks.size(), 0);
+  for (size_t i = 1; i + 1 < breaks.size(); ++i) {
+    const int best = bestBreak(sums, breaks[i - 1], breaks[i], breaks[i + 1]);
+    moved[i] = best != breaks[i];
+    breaks[i] = best;
+  }
+  bool moved_before = false;
+  for (size_t i = 1; i + 1 < breaks.size(); ++i) {
+    if (!moved_before && !moved[i] && !moved[i + 1]) continue;
+    const int best = bestBreak(sums, breaks[i - 1], breaks[i], breaks[i + 1]);
+    moved_before = best != breaks[i];
+    breaks[i] = best;
+  }
   return breaks;
 }
 

@@ -163,9 +163,11 @@ TEST(EllipseFit, ExactPoints) {
     p.sigma = 0.05f;
     points.push_back(p);
   }
-  const EllipseFit direct = fitEllipseDirect(points, {{0, 90}}, 200);
+  FitPoints taken;
+  taken.assign(points, {{0, 90}}, 200);
+  const EllipseFit direct = fitEllipseDirect(taken);
   ASSERT_TRUE(direct.valid);
-  const EllipseFit fit = refineEllipse(points, {{0, 90}}, direct.ellipse, 200, 10);
+  const EllipseFit fit = refineEllipse(taken, direct.ellipse, 10);
   ASSERT_TRUE(fit.valid);
   EXPECT_LT((fit.ellipse.centre - truth.centre).norm(), 1e-3);
   EXPECT_NEAR(fit.ellipse.a, truth.a, 1e-3);
@@ -177,7 +179,7 @@ TEST(EllipseFit, ExactPoints) {
 TEST(EllipseFit, DistanceJacobianIsTheDerivative) {
   const Ellipse e{{10, 20}, 30, 12, 0.4};
   const Eigen::Vector2d uv = e.at(1.1);
-  const Eigen::Matrix<double, 1, 5> j = distanceJacobian(e, uv);
+  const Eigen::Matrix<double, 1, 5> j = EllipseFrame(e).distanceJacobian(uv);
   const double h = 1e-6;
   for (int k = 0; k < 5; ++k) {
     Ellipse moved = e;
@@ -190,8 +192,11 @@ TEST(EllipseFit, DistanceJacobianIsTheDerivative) {
 TEST(EllipseFit, LineIsNone) {
   std::vector<EdgePoint> points(40);
   for (int i = 0; i < 40; ++i) points[i].uv = {float(i), 2.0f * float(i)};
-  EXPECT_FALSE(fitEllipseDirect(points, {{0, 40}}, 100).valid);
-  EXPECT_FALSE(fitEllipseDirect(points, {{0, 3}}, 100).valid);
+  FitPoints taken;
+  taken.assign(points, {{0, 40}}, 100);
+  EXPECT_FALSE(fitEllipseDirect(taken).valid);
+  taken.assign(points, {{0, 3}}, 100);
+  EXPECT_FALSE(fitEllipseDirect(taken).valid);
 }
 
 }  // namespace

@@ -7,11 +7,50 @@
 
 namespace monocular_eye_hand {
 
-/// Edge points of an image before linking, in raw pixels, in raster order.
+/// Which pixels hold an edge point, and which point: a bit per pixel and a count per word, because the points
+/// lie in raster order.
+class EdgePixels {
+ public:
+  void reset(int cols, int rows) {
+    words_ = size_t(cols) / 32 + 2;
+    bits_.assign(words_ * size_t(rows), 0);
+    before_.assign(words_ * size_t(rows), 0);
+  }
+  /// Pixels have to be added in raster order, as points 0, 1, 2 ...
+  void add(int x, int y, int32_t point) {
+    const size_t at = word(x, y);
+    if (bits_[at] == 0) before_[at] = point;
+    bits_[at] |= 1u << (x & 31);
+  }
+  /// Bit k tells whether pixel (x + k, y) holds a point, k = 0..4.
+  uint32_t five(int x, int y) const {
+    const size_t at = word(x, y);
+    return uint32_t((bits_[at] | uint64_t(bits_[at + 1]) << 32) >> (x & 31)) & 31u;
+  }
+  /// The point of a pixel that holds one.
+  int32_t point(int x, int y) const {
+    const size_t at = word(x, y);
+    return before_[at] + bitCount(bits_[at] & ((1u << (x & 31)) - 1));
+  }
+
+ private:
+  size_t word(int x, int y) const { return size_t(y) * words_ + size_t(x >> 5); }
+  static int bitCount(uint32_t v) {
+    v -= (v >> 1) & 0x55555555u;
+    v = (v & 0x33333333u) + ((v >> 2) & 0x33333333u);
+    return int((((v + (v >> 4)) & 0x0F0F0F0Fu) * 0x01010101u) >> 24);
+  }
+  size_t words_ = 0;             // per row, one more than needed
+  std::vector<uint32_t> bits_;   // rows x words_
+  std::vector<int32_t> before_;  // the first point of each word that has one
+};
+
+/// Edge points of an image before linking, in raw pixels, in raster order, at least two pixels from the
+/// border.
 struct EdgeMap {
   std::vector<EdgePoint> points;
-  std::vector<int16_t> x, y;   ///< the pixel each point belongs to
-  std::vector<int32_t> index;  ///< rows x cols: point of a pixel or -1
+  std::vector<int16_t> x, y;  ///< the pixel each point belongs to
+  EdgePixels pixels;
   int rows = 0, cols = 0;
   double gradient_noise = 0;      ///< standard deviation of a gradient component [grey levels per px]
   double threshold = 0;           ///< gradient threshold used

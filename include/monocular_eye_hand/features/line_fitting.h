@@ -1,17 +1,19 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "monocular_eye_hand/features/features.h"
 
 namespace monocular_eye_hand {
 
-/// Standard deviation of an edge point as the fits use it: its own and what blur, rounding and real edges
-/// add.
-inline double fitSigma(const EdgePoint& point) {
+/// Variance of an edge point as the fits use it: its own and what blur, rounding and real edges add.
+inline double fitVariance(const EdgePoint& point) {
   constexpr double kModelError = 0.07;  // px
-  return std::sqrt(double(point.sigma) * point.sigma + kModelError * kModelError);
+  return double(point.sigma) * point.sigma + kModelError * kModelError;
 }
+inline double fitSigma(const EdgePoint& point) { return std::sqrt(fitVariance(point)); }
 
 /// Weighted total least squares line.
 struct LineFit {
@@ -33,13 +35,25 @@ class LineSums {
   void assign(const std::vector<EdgePoint>& points, int first, int count);
   /// Line through points[begin .. end), indices as in the vector given to assign; at least two points.
   LineFit fit(int begin, int end) const;
-  double chi2(int begin, int end) const;  ///< of that line
+  /// Of that line.
+  double chi2(int begin, int end) const {
+    const Moments m = between(begin, end);
+    const double half = 0.5 * (m.xx - m.yy);
+    return std::max(0.0, 0.5 * (m.xx + m.yy) - std::sqrt(half * half + m.xy * m.xy));
+  }
 
  private:
   struct Moments {
     double w = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   };
-  Moments between(int begin, int end) const;
+  // Weight, mean and central second moments.
+  Moments between(int begin, int end) const {
+    const Moments &a = sums_[size_t(begin - first_)], &b = sums_[size_t(end - first_)];
+    Moments m{b.w - a.w, b.x - a.x, b.y - a.y, b.xx - a.xx, b.xy - a.xy, b.yy - a.yy};
+    m.x /= m.w, m.y /= m.w;
+    m.xx -= m.w * m.x * m.x, m.xy -= m.w * m.x * m.y, m.yy -= m.w * m.y * m.y;
+    return m;
+  }
   int first_ = 0;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   std::vector<Moments> sums_;
