@@ -8,6 +8,7 @@ constexpr char kImageRaw[] = "image_raw";
 constexpr char kImageRect[] = "image_rect";
 constexpr char kCameraInfo[] = "camera_info";
 constexpr char kRecognizedObjects[] = "recognizer/objects";
+constexpr char kAskRecognizer[] = "recognizer/recognize";
 
 constexpr char kObjects[] = "objects";      // ~objects
 constexpr char kMarkers[] = "markers";      // ~markers

@@ -73,7 +73,7 @@ void RecognizerNode::work() {
   while (!stop_ && ros::ok()) {
     if (!input_.next(0.1, &frame)) continue;
     const std::vector<PendingRequestPtr> requests = requests_.take(frame.number);
-    const bool publish_all = parameters_.continuous || outputs_.wanted();
+    const bool publish_all = !parameters_.on_request && (parameters_.continuous || outputs_.wanted());
     if (publish_all || !requests.empty()) workOn(frame, requests, publish_all);
   }
 }

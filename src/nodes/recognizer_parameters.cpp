@@ -20,6 +20,9 @@ void RecognizerParameters::check() const {
   if (objects.empty())
     throw BadInput(
         "objects is not set: give the path of the model base, e.g. config/objects.yaml of this package");
+  if (on_request && continuous)
+    throw BadInput(
+        "on_request = true needs continuous = false: either every image or those that are asked for");
   requirePositive("service_timeout", service_timeout);
   requirePositive("diagnostic_period", diagnostic_period);
   if (marker_triangles < 0)

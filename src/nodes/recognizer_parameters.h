@@ -13,6 +13,7 @@ struct RecognizerParameters {
   std::string cache;         ///< folder of compiled models; "": the user's cache, "none": no cache
   bool rectified = false;    ///< subscribe to image_rect (P, no distortion) instead of image_raw (K and D)
   bool continuous = true;    ///< work on every image; false: only while someone listens or asks
+  bool on_request = false;   ///< work only when ~recognize is called, whoever listens to the results
   std::string frame_prefix;  ///< before the name of every object's tf frame
   std::string camera_frame;  ///< optical frame of the results; "": the image's header.frame_id
   std::string image_transport = "raw";  ///< transport of the image subscription
@@ -29,6 +30,7 @@ struct RecognizerParameters {
     v("cache", cache);
     v("rectified", rectified);
     v("continuous", continuous);
+    v("on_request", on_request);
     v("frame_prefix", frame_prefix);
     v("camera_frame", camera_frame);
     v("image_transport", image_transport);

@@ -1,6 +1,7 @@
 #include "nodes/task_world.h"
 
 #include <cmath>
+#include <thread>
 #include <utility>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -17,7 +18,8 @@ const char kForget[] = "eye_hand/forget";
 const char kPick[] = "planner/pick";
 const char kPlace[] = "planner/place";
 const char kMove[] = "planner/move";
-const ros::WallDuration kPoll(0.05);
+const ros::WallDuration kPoll(0.05), kTick(0.005);
+constexpr int kAnswerTicks = 40;
 constexpr int kRefusedViews = 3;  // in a row: waiting on helps no more
 
 // One function reads all results: the planner's outcomes have the same numbers in Pick, Place and Move.
@@ -45,6 +47,21 @@ TaskPickOutcome outcomeOf(uint8_t code) {
       return TaskPickOutcome::kFault;
   }
 }
+
+/// Something that goes on beside this scope, and is told when that is enough.
+class Beside {
+ public:
+  template <class Work>
+  explicit Beside(Work work) : thread_([this, work] { work(enough_); }) {}
+  ~Beside() {
+    enough_ = true;
+    thread_.join();
+  }
+
+ private:
+  std::atomic<bool> enough_{false};
+  std::thread thread_;
+};
 
 /// Sends a goal and waits for its result. A cancelled task cancels the goal and waits on: the planner stops
 /// the arm and says so.
@@ -99,6 +116,7 @@ RosTaskWorld::RosTaskWorld(const ModelBase* models, const TaskParameters& parame
       node_.subscribe(names::kRecognizedObjects, 10, &RosTaskWorld::recognizedCallback, this);
   gripper_subscriber_ = node_.subscribe(names::kGripperState, 10, &RosTaskWorld::gripperCallback, this);
   joints_subscriber_ = node_.subscribe(names::kJointStates, 10, &RosTaskWorld::jointsCallback, this);
+  recognize_ = node_.serviceClient<Recognize>(names::kAskRecognizer);
   grasp_targets_ = node_.serviceClient<GraspTargets>(kGraspTargets);
   forget_ = node_.serviceClient<ForgetObject>(kForget);
 }
@@ -179,7 +197,33 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
   // The clock may be later to arrive than the states it stamped: a view from before the motion must not
   // count.
   const ros::Time stands = std::max(ros::Time::now(), move_.getResult()->stamp);
-  return waitForView(stands + ros::Duration(parameters_.settle));
+  const ros::Time after = stands + ros::Duration(parameters_.settle);
+  waitUntil(after);
+  const Beside asks([&](const std::atomic<bool>& enough) { askRecognizer(after, enough); });
+  return waitForView(after);
+}
+
+void RosTaskWorld::waitUntil(const ros::Time& moment) const {
+  const ros::WallTime begin = ros::WallTime::now();
+  while (ros::Time::now() < moment && !cancelled_() &&
+         ros::WallTime::now() - begin < ros::WallDuration(parameters_.look_timeout))
+    kTick.sleep();
+}
+
+/// A recogniser that works on request does so now; one that works on every image answers with the next. Asks
+/// again while the answer is of an image that was on its way before. Who does not answer is told by
+/// silence().
+void RosTaskWorld::askRecognizer(const ros::Time& after, const std::atomic<bool>& enough) {
+  const auto answered = [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return recognized_ >= after;
+  };
+  while (!enough && !answered()) {
+    Recognize call;
+    if (!recognize_.exists() || !recognize_.call(call)) kPoll.sleep();
+    for (int k = 0; k < kAnswerTicks && !enough && !answered(); ++k)
+      kTick.sleep();  // the topic may be slower
+  }
 }
 
 std::string RosTaskWorld::silence(const ros::Time& after) const {

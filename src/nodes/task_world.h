@@ -7,10 +7,12 @@
 #include <monocular_eye_hand/MoveAction.h>
 #include <monocular_eye_hand/PickAction.h>
 #include <monocular_eye_hand/PlaceAction.h>
+#include <monocular_eye_hand/Recognize.h>
 #include <monocular_eye_hand/RecognizedObjectArray.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <map>
@@ -55,7 +57,9 @@ class RosTaskWorld : public TaskWorld {
   std::optional<JointVector> joints() const;
   bool waitFor(ros::ServiceClient* service) const;
   Eigen::Vector3d lookTarget(const TaskView& view) const;
+  void waitUntil(const ros::Time& moment) const;  // of the clock; at most look_timeout
   TaskLook waitForView(const ros::Time& after);
+  void askRecognizer(const ros::Time& after, const std::atomic<bool>& enough);
   std::string silence(
       const ros::Time& after) const;  // who in the chain of eyes says nothing; with mutex_ held
   TaskPick move(const MoveGoal& goal);
@@ -69,7 +73,7 @@ class RosTaskWorld : public TaskWorld {
 
   ros::NodeHandle node_;
   ros::Subscriber objects_subscriber_, recognized_subscriber_, gripper_subscriber_, joints_subscriber_;
-  ros::ServiceClient grasp_targets_, forget_;
+  ros::ServiceClient recognize_, grasp_targets_, forget_;
   actionlib::SimpleActionClient<PickAction> pick_;
   actionlib::SimpleActionClient<PlaceAction> place_client_;
   actionlib::SimpleActionClient<MoveAction> move_;

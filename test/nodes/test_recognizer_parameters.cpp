@@ -51,6 +51,7 @@ TEST(RecognizerParameters, AreChecked) {
     EXPECT_THROW(parameters.check(), BadInput);
   };
   refused([](RecognizerParameters* p) { p->objects.clear(); });
+  refused([](RecognizerParameters* p) { p->on_request = true; });  // continuous, too
   refused([](RecognizerParameters* p) { p->service_timeout = 0; });
   refused([](RecognizerParameters* p) { p->diagnostic_period = -1; });
   refused([](RecognizerParameters* p) { p->marker_triangles = -1; });
