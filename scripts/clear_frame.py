@@ -128,10 +128,16 @@ class Run:
         if self.options.out:
             rospy.Subscriber("recognizer/overlay", Image, self.on_overlay, queue_size=1, buff_size=1 << 22)
         self.client = actionlib.SimpleActionClient("task/clear_frame", ClearFrameAction)
-        while not self.client.action_client.wait_for_server(rospy.Duration(0.01)) or self.truth is None:
+        while not self.server_ready() or self.truth is None:
             if self.launch.poll() is not None or time.time() > deadline + 60:
                 raise RuntimeError("the task did not start" + self.where())
             time.sleep(0.1)
+
+    def server_ready(self):
+        """The action client's own wait is in time of the cell, which stands when the cell died."""
+        action = self.client.action_client
+        return action.last_status_msg is not None and all(
+            topic.get_num_connections() for topic in (action.pub_goal, action.pub_cancel, action.result_sub, action.feedback_sub))
 
     def where(self):
         return ", see " + self.log.name if self.options.out else ""
@@ -176,10 +182,11 @@ class Run:
             f.write(kind + b"\n%d %d\n255\n" % (message.width, message.height) + numpy.ascontiguousarray(image).tobytes())
 
     def run(self):
+        from actionlib import SimpleGoalState
         from monocular_eye_hand.msg import ClearFrameGoal
         self.client.send_goal(ClearFrameGoal())
         deadline = time.time() + self.options.time_limit
-        while self.client.get_state() in (0, 1, 6, 7):  # pending, active, preempting, recalling
+        while self.client.simple_state != SimpleGoalState.DONE:  # the state comes before the result
             if self.launch.poll() is not None:
                 raise RuntimeError("a node died" + self.where())
             if time.time() > deadline:

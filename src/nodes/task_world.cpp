@@ -19,8 +19,9 @@ const char kPick[] = "planner/pick";
 const char kPlace[] = "planner/place";
 const char kMove[] = "planner/move";
 const ros::WallDuration kPoll(0.05), kTick(0.005);
-constexpr int kAnswerTicks = 40;
-constexpr int kRefusedViews = 3;  // in a row: waiting on helps no more
+constexpr double kSlowTopic = 0.2;    // the objects may come so much later than the answer [s, wall clock]
+constexpr double kSlowEyeHand = 1.0;  // ... and their view after them
+constexpr int kRefusedViews = 3;      // in a row: waiting on helps no more
 
 // One function reads all results: the planner's outcomes have the same numbers in Pick, Place and Move.
 constexpr bool same(int a, int b, int c) { return a == b && b == c; }
@@ -211,18 +212,26 @@ void RosTaskWorld::waitUntil(const ros::Time& moment) const {
 }
 
 /// A recogniser that works on request does so now; one that works on every image answers with the next. Asks
-/// again while the answer is of an image that was on its way before. Who does not answer is told by
-/// silence().
+/// again when the answer is of an image that was on its way before, and when eye_hand makes no use of it. Who
+/// does not answer is told by silence().
 void RosTaskWorld::askRecognizer(const ros::Time& after, const std::atomic<bool>& enough) {
-  const auto answered = [&] {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return recognized_ >= after;
+  const auto wait = [&](double seconds, bool for_image) {
+    const ros::WallTime begin = ros::WallTime::now();
+    while (!enough && ros::WallTime::now() - begin < ros::WallDuration(seconds)) {
+      if (for_image) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (recognized_ >= after) return true;
+      }
+      kTick.sleep();
+    }
+    return false;
   };
-  while (!enough && !answered()) {
+  while (!enough) {
     Recognize call;
-    if (!recognize_.exists() || !recognize_.call(call)) kPoll.sleep();
-    for (int k = 0; k < kAnswerTicks && !enough && !answered(); ++k)
-      kTick.sleep();  // the topic may be slower
+    if (!recognize_.exists() || !recognize_.call(call))
+      wait(kSlowTopic, false);
+    else if (wait(kSlowTopic, true))
+      wait(kSlowEyeHand, false);
   }
 }
 

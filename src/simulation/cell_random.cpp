@@ -233,7 +233,7 @@ bool Arranger::canBeTaken(const Placed& part) const {
 void arrangeAtRandom(const std::vector<NamedMesh>& models, CellScene* cell) {
   const CellRandom& rules = cell->options.random;
   Arranger arranger(rules, models);
-  constexpr int kAttempts = 300;
+  constexpr int kAttempts = 5000;
   std::vector<SceneObject> objects;
   int attempt = 0;
   while (attempt < kAttempts && !arranger.tryOnce(&objects)) ++attempt;

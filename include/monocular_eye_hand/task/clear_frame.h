@@ -14,7 +14,7 @@ namespace monocular_eye_hand {
 struct ClearFrameOptions {
   std::string frame = "frame";  ///< name of the object to be cleared; "": the whole table
   double frame_margin = 0.02;   ///< an object counts as inside up to so far outside the frame's border [m]
-  int overviews = 2;            ///< views of the whole frame in the first round
+  int overviews = 3;            ///< views of the whole frame in the first round
   int overviews_again = 1;      ///< the same in every further round
   int searches = 4;             ///< nearer views of the frame before it counts as cleared
   int look_attempts = 3;        ///< a view that fails so often in a row ends the task
