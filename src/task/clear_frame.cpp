@@ -75,6 +75,7 @@ void ClearFrameTask::lookAround() {
   }
   TaskView view;
   view.overview = overview_;
+  view.search = frame_pose_.has_value();  // from nearer, once it is known where it stands
   view.direction = direction_ + overview_;
   const int views = result_.rounds == 1 ? options_.overviews : options_.overviews_again;
   tell("overview " + std::to_string(overview_ + 1) + " of " + std::to_string(views));
@@ -88,6 +89,7 @@ void ClearFrameTask::lookAround() {
 
 void ClearFrameTask::search() {
   TaskView view;
+  view.overview = -1;
   view.search = true;
   view.direction = ++direction_;
   tell("nothing known is left; search " + std::to_string(searches_ + 1) + " of " +
@@ -109,7 +111,10 @@ bool ClearFrameTask::look(const TaskView& view, TaskLook* seen) {
     if (++failed_looks_ < options_.look_attempts)
       tell("the look failed (" + seen->reason + "); again");
     else
-      finish(TaskOutcome::kFault, std::to_string(failed_looks_) + " looks failed in a row: " + seen->reason);
+      finish(TaskOutcome::kFault,
+             (failed_looks_ == 1 ? std::string("the look failed: ")
+                                 : std::to_string(failed_looks_) + " looks failed in a row: ") +
+                 seen->reason);
     return false;
   }
   failed_looks_ = 0;

@@ -37,8 +37,8 @@ TEST(ClearFrame, CarriesEverythingOut) {
   }
   EXPECT_EQ(result.rounds, 4);
   EXPECT_EQ(world.motions, 6);
-  EXPECT_THAT(std::vector<std::string>(world.log.begin(), world.log.begin() + 6),
-              ElementsAre("overview 0", "overview 1", "near bridge0", "pick bridge0 by grasp 0",
+  EXPECT_THAT(std::vector<std::string>(world.log.begin(), world.log.begin() + 7),
+              ElementsAre("overview 0", "overview 1", "overview 2", "near bridge0", "pick bridge0 by grasp 0",
                           "carry bridge0 to 0", "overview 0"));
   EXPECT_THAT(world.log, Not(Contains(HasSubstr("grenade1"))));
   ASSERT_FALSE(told.empty());
@@ -187,12 +187,12 @@ TEST(ClearFrame, WhatOnlyASearchShowsIsCarriedOutToo) {
   World::Thing& bridge = world.put(kBridge, 0, at(0.5, 0));
   bridge.there = false, bridge.misses_left = 0;
   world.before_look = [&](const TaskView& view) {
-    if (view.search && world.motions == 0) world.thing(kBridge, 0).there = true;
+    if (view.overview < 0 && world.motions == 0) world.thing(kBridge, 0).there = true;
   };
   const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);
-  EXPECT_EQ(std::count(world.log.begin(), world.log.end(), "search"), 3);  // the one, and two after it
+  EXPECT_EQ(std::count(world.log.begin(), world.log.end(), "search"), 5);  // the one, and four after it
 }
 
 TEST(ClearFrame, WhatWasGivenUpIsTriedAgainWhenSomethingWasCarriedOut) {

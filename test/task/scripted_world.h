@@ -62,9 +62,9 @@ class World : public TaskWorld {
   }
 
   TaskLook look(const TaskView& view) override {
-    log.push_back(view.near     ? "near " + view.object.name + std::to_string(view.approach)
-                  : view.search ? "search"
-                                : "overview " + std::to_string(view.overview));
+    log.push_back(view.near           ? "near " + view.object.name + std::to_string(view.approach)
+                  : view.overview < 0 ? "search"
+                                      : "overview " + std::to_string(view.overview));
     if (before_look) before_look(view);
     TaskLook seen;
     if (!silent.empty()) {

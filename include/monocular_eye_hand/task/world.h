@@ -9,10 +9,10 @@ namespace monocular_eye_hand {
 
 /// Where to look from.
 struct TaskView {
-  int overview = 0;     ///< >= 0: the so-many-th view of the whole frame in this round, from 0
+  int overview = 0;     ///< >= 0: the so-many-th view of the frame in this round, from 0
   int direction = 0;    ///< from where: another number is another direction
   bool near = false;    ///< true: at `object`, nearer with every `approach`
-  bool search = false;  ///< true: the frame from nearer and lower, for what the overviews do not show
+  bool search = false;  ///< true: the frame from nearer and lower, for what shows no better from afar
   MappedObject object;  ///< near: what to look at
   int approach = 0;     ///< near: 0, 1, 2, ...
 };
