@@ -65,7 +65,8 @@ bool WorkCellNode::moving() const {
 void WorkCellNode::takeCommands() {
   double wait = 1;
   while (ros::ok() && wait > 0) {
-    // While only parts fall the next command may be on its way: it must not come seconds of the cell too late.
+    // While only parts fall the next command may be on its way: it must not come seconds of the cell too
+    // late.
     wait = pace_.wait(double(nextInstant()) * 1e-9, steadySeconds(), driven());
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));  // back at the first command
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "nodes/arm_state.h"
 #include "nodes/conversion.h"
 #include "nodes/planner_conversion.h"
 

@@ -8,10 +8,10 @@ namespace monocular_eye_hand {
 
 /// From where the task looks. Defaults stand here and nowhere else.
 struct CameraViewOptions {
-  double overview_distance = 0.55;   ///< camera to the middle of the frame [m]
+  double overview_distance = 0.55;   ///< camera to the middle of the frame until it is found [m]
   double overview_elevation = 1.15;  ///< above the horizon [rad]
   double overview_turn = 0.9;        ///< azimuth from one overview to the next [rad]
-  double search_distance = 0.42;     ///< camera to the middle of the frame in a search [m]
+  double search_distance = 0.42;     ///< the same once it is known, and in a search [m]
   double search_elevation = 0.9;     ///< above the horizon [rad]
   double near_distance = 0.36;       ///< camera to the object at the first near look [m]
   double near_step = 0.05;           ///< so much nearer with every further one [m]
