@@ -23,7 +23,7 @@ from monocular_eye_hand.srv import ForgetObject, GraspTargets, GraspTargetsRespo
 TABLE = 0.3  # [m]
 BRIDGE = scene.transform(scene.rotation(0, 0, 0.3), [0.62, -0.15, TABLE])
 GRENADE = scene.transform(scene.rotation(0, 0, -1), [0.62, 0.02, TABLE])
-FRAME = scene.transform(numpy.eye(3), [0.62, -0.08, TABLE])
+FRAME = scene.transform(numpy.eye(3), [0.62, -0.15, TABLE])  # the bridge stands in it
 GOOD = numpy.diag([1e-4**2] * 2 + [3e-4**2] + [1e-3**2] * 3)  # [m^2, rad^2]
 POOR = 3600 * GOOD
 

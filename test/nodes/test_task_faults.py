@@ -119,7 +119,7 @@ class TestTaskFaults(unittest.TestCase):
         for one in missing:
             self.assertEqual(one.outcome, ClearedObject.GONE, said)
             self.assertIn("not seen any more", one.reason)
-        self.assertEqual(missing[0].picks, 1)
+        self.assertEqual(sum(o.picks for o in missing), 1)  # a first sighting may have been wrong and gone
         truth = self.witness.truth()
         self.assertNotIn(name + "_0", [o.label for o in truth.objects])
         parts = [o for o in truth.objects if o.name != "frame"]
