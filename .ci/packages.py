@@ -22,6 +22,7 @@ USER_SECTIONS = ("build", "ros", "test")
 # Commands of the scripts and the README, and of the checks, that Debian's base system does not have.
 COMMANDS = """catkin_test_results cmake ctest g++ ninja python3 rosbag roslaunch rosnode rospack rosrun rosservice
               rostest rostopic rviz""".split()
+BENCHMARK_CMAKE_PACKAGES = ("benchmark", "Ceres", "gflags", "glog")  # asked for by benchmark/, and by Ceres
 CI_COMMANDS = "catkin_lint clang-format git ldd readelf".split()
 
 
@@ -64,7 +65,7 @@ def compiled_from(build, benchmarks):
 
 def found_by_cmake(build, benchmarks):
     for name, path in re.findall(r"^(\w+)_DIR:PATH=(/usr/.*)$", (build / "CMakeCache.txt").read_text(), re.M):
-        if (name == "benchmark") == benchmarks:
+        if (name in BENCHMARK_CMAKE_PACKAGES) == benchmarks:
             yield from sorted(str(file) for file in pathlib.Path(path).glob("*onfig.cmake"))[:1]
 
 
