@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "features_detectors.h"
 #include "monocular_eye_hand/features/edge_detection.h"
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/features/joining.h"
@@ -16,16 +17,6 @@
 
 namespace monocular_eye_hand {
 namespace {
-
-Camera cameraFor(const cv::Mat& image) {
-  Camera camera;
-  camera.width = image.cols;
-  camera.height = image.rows;
-  camera.fx = camera.fy = 1.1 * image.cols;
-  camera.cx = (image.cols - 1) / 2.0;
-  camera.cy = (image.rows - 1) / 2.0;
-  return camera;
-}
 
 // Polygons and ellipses, as many per area at every size; noise 3.
 cv::Mat clutter(int width, int height) {
@@ -59,7 +50,7 @@ cv::Mat clutter(int width, int height) {
 // Argument: image width; 4:3.
 void BM_DetectFeatures(benchmark::State& state) {
   const cv::Mat image = clutter(int(state.range(0)), int(state.range(0)) * 3 / 4);
-  const Camera camera = cameraFor(image);
+  const Camera camera = benchCamera(image);
   FeatureSet features;
   for (auto _ : state) features = detectFeatures(image, camera);
   state.counters["points"] = double(features.points.size());
@@ -92,7 +83,7 @@ BENCHMARK(BM_Linking)->Unit(benchmark::kMillisecond);
 
 void BM_Undistortion(benchmark::State& state) {
   const Stages s;
-  Camera camera = cameraFor(s.image);
+  Camera camera = benchCamera(s.image);
   camera.model = DistortionModel::kPlumbBob;
   camera.d = {-0.25, 0.08, 0.001, -0.001, 0, 0, 0, 0};
   for (auto _ : state) benchmark::DoNotOptimize(undistortEdges(s.edges, camera, s.options.min_trace_points));
@@ -131,7 +122,7 @@ void BM_Images(benchmark::State& state) {
   size_t i = 0;
   for (auto _ : state) {
     const cv::Mat& image = images[i++ % images.size()];
-    benchmark::DoNotOptimize(detectFeatures(image, cameraFor(image)));
+    benchmark::DoNotOptimize(detectFeatures(image, benchCamera(image)));
   }
 }
 BENCHMARK(BM_Images)->Unit(benchmark::kMillisecond);

@@ -14,7 +14,7 @@ const std::vector<Eigen::Vector3d>& ObjectMap::core(int object) {
   return found->second;
 }
 
-bool ObjectMap::rivals(const Track& a, const Track& b) {
+bool ObjectMap::inOnePlace(const Track& a, const Track& b) {
   const Rigid3 a_from_b = a.merged.base_from_object.inverse() * b.merged.base_from_object;
   const int i = a.object.object, j = b.object.object;
   return interpenetrate(model(i), core(i), model(j), core(j), a_from_b);
@@ -24,7 +24,7 @@ void ObjectMap::findRivals() {
   for (Track& track : tracks_) track.rivals.clear();
   for (size_t i = 0; i < tracks_.size(); ++i)
     for (size_t j = i + 1; j < tracks_.size(); ++j)
-      if (rivals(tracks_[i], tracks_[j])) {
+      if (inOnePlace(tracks_[i], tracks_[j])) {
         tracks_[i].rivals.push_back(tracks_[j].key());
         tracks_[j].rivals.push_back(tracks_[i].key());
       }

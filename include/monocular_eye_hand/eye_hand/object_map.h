@@ -170,7 +170,7 @@ class ObjectMap {
   void countMisses(const ObjectView& view, const std::vector<char>& met, ViewReport* report);
   bool expected(const Track& track, const ObjectView& view) const;
   const std::vector<Eigen::Vector3d>& core(int object);
-  bool rivals(const Track& a, const Track& b);
+  bool inOnePlace(const Track& a, const Track& b);
   void findRivals();
   void believe();  // settles who yields to whom
 
