@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kArcFitPoints = 32, kSettleFitPoints = 160;
+constexpr int kArcFitPoints = 32, kSettleFitPoints = 64, kFinalFitPoints = 160;
 
 // A piece of the polygon that approximates a trace.
 struct Chord {
@@ -142,9 +142,18 @@ class ArcFinder {
     return std::fabs(d.distance) < limit && std::fabs(d.normal.dot(p.normal.cast<double>())) > 0.93;
   }
 
+  // Fits an arc's points again; an ellipse that does not come out stays.
+  void refit(Found* arc, int points, int iterations) {
+    const PointRange range{arc->begin, arc->end - arc->begin};
+    fit_points_.assign(edges_.points, &range, 1, points);
+    const EllipseFit again = refineEllipse(fit_points_, arc->fit.ellipse, iterations);
+    if (again.valid) arc->fit = again;
+  }
+
   // Moves the ends of an arc to where the trace leaves its ellipse, and fits again.
   void settle(Found* arc, int low, int high) {
     for (int round = 0; round < 8; ++round) {  // each round may see a little farther
+      refit(arc, kSettleFitPoints, 2);
       const int begin = arc->begin, end = arc->end;
       const EllipseFrame frame(arc->fit.ellipse);
       const auto on = [&](int i) { return onEllipse(frame, arc->fit.rms, i); };
@@ -152,12 +161,9 @@ class ArcFinder {
       while (arc->end - arc->begin > 8 && !on(arc->end - 1)) --arc->end;
       while (arc->begin > low && on(arc->begin - 1)) --arc->begin;
       while (arc->end < high && on(arc->end)) ++arc->end;
-      const PointRange range{arc->begin, arc->end - arc->begin};
-      fit_points_.assign(edges_.points, &range, 1, kSettleFitPoints);
-      const EllipseFit again = refineEllipse(fit_points_, arc->fit.ellipse, 6);
-      if (again.valid) arc->fit = again;
       if (begin == arc->begin && end == arc->end) break;
     }
+    refit(arc, kFinalFitPoints, 6);
   }
 
   void finish(int trace, PointRange range, std::vector<EllipticArc>* out) {

@@ -12,6 +12,12 @@ namespace {
 
 constexpr float kNoLink = 1e9f;
 
+int lowestBit(uint32_t v) {  // de Bruijn multiplication
+  static constexpr int8_t kPlace[32] = {0,  1,  28, 2,  29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4,  8,
+                                        31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6,  11, 5,  10, 9};
+  return kPlace[((v & (~v + 1)) * 0x077CB531u) >> 27];
+}
+
 // Chains edge points; every point has at most one successor and one predecessor.
 class Linker {
  public:
@@ -22,18 +28,19 @@ class Linker {
         next_cost_(edges.points.size(), kNoLink) {}
 
   void link() {
-    // The second round gives points that lost their neighbour to a better one another chance.
-    for (int round = 0; round < 2; ++round)
-      for (int i = 0; i < int(edges_.points.size()); ++i) {
-        if (next_[i] >= 0 && previous_[i] >= 0) continue;
-        const Window window(edges_, i);
-        Neighbours found;
-        if (next_[i] < 0) seek(i, 1, window, &found);
-        if (previous_[i] < 0) seek(i, -1, window, &found);
-      }
+    linkMutual();
+    const int n = int(edges_.points.size());
+    for (int i = 0; i < n; ++i) {  // points whose choice chose another
+      const bool ahead = next_[i] < 0 && ahead_[i] >= 0, behind = previous_[i] < 0 && behind_[i] >= 0;
+      if (!ahead && !behind) continue;
+      const Window window(edges_, i);
+      Neighbours found;
+      if (ahead) seek(i, 1, window, &found);
+      if (behind) seek(i, -1, window, &found);
+    }
     findLooseStarts();
-    for (int i = 0; i < int(edges_.points.size()); ++i)
-      if (next_[i] < 0 && previous_[i] >= 0) bridge(i);
+    for (int i = 0; i < n; ++i)
+      if (looseEnd(i)) bridge(i);
   }
   const std::vector<int>& next() const { return next_; }
   const std::vector<int>& previous() const { return previous_; }
@@ -57,7 +64,7 @@ class Linker {
    public:
     // Edge points keep two pixels from the border: the window lies in the image.
     Window(const EdgeMap& edges, int i) : edges_(edges), x_(edges.x[i] - 2), y_(edges.y[i] - 2) {
-      for (int k = 0; k < 5; ++k) bits_ |= edges.pixels.five(x_, y_ + k) << (5 * k);
+      for (int k = 0; k < 5; ++k) bits_ |= edges.pixels.run(x_, y_ + k, 5) << (5 * k);
     }
     /// Puts the points of a ring into `points`; returns how many.
     int ring(int reach, int32_t* points) const {
@@ -73,11 +80,6 @@ class Linker {
     }
 
    private:
-    static int lowestBit(uint32_t v) {  // de Bruijn multiplication
-      static constexpr int8_t kPlace[32] = {0,  1,  28, 2,  29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4,  8,
-                                            31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6,  11, 5,  10, 9};
-      return kPlace[((v & (~v + 1)) * 0x077CB531u) >> 27];
-    }
     const EdgeMap& edges_;
     const int x_, y_;
     uint32_t bits_ = 0;
@@ -100,19 +102,23 @@ class Linker {
     const int count = window.ring(reach, present);
     int n = found->end[reach - 1];
     for (int from = 0; from < count; from += kLanes) {
-      float costs[kLanes];
-      int signs[kLanes];
-      lookAtFour(i, present + from, std::min(kLanes, count - from), costs, signs);
-      for (int k = 0; k < kLanes && from + k < count; ++k)
-        if (costs[k] < kNoLink) found->ring[size_t(n++)] = {present[from + k], signs[k], costs[k]};
+      const Costs costs = lookAtFour(i, present + from, std::min(kLanes, count - from));
+      for (int k = 0; k < kLanes && from + k < count; ++k) {
+        const bool after = costs.after[k] < kNoLink;
+        const float cost = after ? costs.after[k] : costs.before[k];
+        if (cost < kNoLink) found->ring[size_t(n++)] = {present[from + k], after ? 1 : -1, cost};
+      }
     }
     found->end[reach] = n;
   }
 
-  // Cost of linking a with up to four neighbours b, all at once, and whether they come after (1) or before
-  // (-1) it.
+  // Cost of linking a with up to four neighbours b that come after it, and of those before it, all at once.
+  // The lanes past the count repeat the last neighbour.
   static constexpr int kLanes = 4;
-  void lookAtFour(int a, const int32_t* b, int count, float* costs, int* signs) const {
+  struct Costs {
+    float after[kLanes], before[kLanes];
+  };
+  Costs lookAtFour(int a, const int32_t* b, int count) const {
     static_assert(offsetof(EdgePoint, uv) == 0 && offsetof(EdgePoint, normal) == 8, "loaded together below");
     using cv::v_float32x4;
     const auto load = [&](int i) { return cv::v_load(reinterpret_cast<const float*>(&edges_.points[i])); };
@@ -124,14 +130,65 @@ class Linker {
     const v_float32x4 dx = qx - cv::v_setall_f32(p.uv.x()), dy = qy - cv::v_setall_f32(p.uv.y());
     const v_float32x4 forward_a = nx * dy - ny * dx, forward_b = mx * dy - my * dx;
     const v_float32x4 least = cv::v_setall_f32(0.2f), most = cv::v_setall_f32(-0.2f);
-    const v_float32x4 after = (forward_a >= least) & (forward_b >= least);
-    const v_float32x4 before = (forward_a <= most) & (forward_b <= most);
     const v_float32x4 alike = nx * mx + ny * my >= cv::v_setall_f32(0.3f);
     const v_float32x4 aside = cv::v_abs(nx * dx + ny * dy) + cv::v_abs(mx * dx + my * dy);
     const v_float32x4 cost = cv::v_sqrt(dx * dx + dy * dy) + cv::v_setall_f32(1.5f) * aside;
-    cv::v_store(costs, cv::v_select((after | before) & alike, cost, cv::v_setall_f32(kNoLink)));
-    const int mask = cv::v_signmask(after);
-    for (int k = 0; k < kLanes; ++k) signs[k] = (mask >> k & 1) != 0 ? 1 : -1;
+    const v_float32x4 none = cv::v_setall_f32(kNoLink);
+    Costs costs;
+    cv::v_store(costs.after, cv::v_select((forward_a >= least) & (forward_b >= least) & alike, cost, none));
+    cv::v_store(costs.before, cv::v_select((forward_a <= most) & (forward_b <= most) & alike, cost, none));
+    return costs;
+  }
+
+  // Of every point the best neighbour ahead and behind, on the nearer ring if there is one. Two points that
+  // choose each other are linked: neither will find a better one.
+  void linkMutual() {
+    const int n = int(edges_.points.size());
+    ahead_.resize(size_t(n));
+    behind_.resize(size_t(n));
+    std::vector<float> costs(static_cast<size_t>(n));
+    for (int i = 0; i < n; ++i) {
+      const Window window(edges_, i);
+      Choice ahead, behind;
+      choose(i, window, 1, &ahead, &behind);
+      if (ahead.point < 0 || behind.point < 0) {
+        Choice farther_ahead, farther_behind;
+        choose(i, window, 2, &farther_ahead, &farther_behind);
+        if (ahead.point < 0) ahead = farther_ahead;
+        if (behind.point < 0) behind = farther_behind;
+      }
+      ahead_[i] = ahead.point;
+      behind_[i] = behind.point;
+      costs[i] = ahead.cost;
+    }
+    for (int i = 0; i < n; ++i) {
+      const int j = ahead_[i];
+      if (j < 0 || behind_[j] != i) continue;
+      next_[i] = j;
+      previous_[j] = i;
+      next_cost_[i] = costs[i];
+    }
+  }
+  struct Choice {
+    int point = -1;
+    float cost = kNoLink;
+    void consider(int candidate, float candidate_cost) {
+      const bool better = candidate_cost < cost;
+      point = better ? candidate : point;
+      cost = better ? candidate_cost : cost;
+    }
+  };
+  void choose(int i, const Window& window, int reach, Choice* ahead, Choice* behind) const {
+    int32_t present[16];
+    const int count = window.ring(reach, present);
+    for (int from = 0; from < count; from += kLanes) {
+      const Costs costs = lookAtFour(i, present + from, std::min(kLanes, count - from));
+      for (int k = 0; k < kLanes; ++k) {
+        const int candidate = present[std::min(from + k, count - 1)];
+        ahead->consider(candidate, costs.after[k]);
+        behind->consider(candidate, costs.before[k]);
+      }
+    }
   }
 
   // Finds the best free successor (sign 1) or predecessor (sign -1) of point i; a better claim takes a
@@ -160,16 +217,17 @@ class Linker {
     next_cost_[from] = best_cost;
   }
 
-  bool looseStart(int i) const { return previous_[i] < 0 && next_[i] >= 0; }
+  // Ends of at least three points: noise makes shorter ones by the thousand.
+  bool looseStart(int i) const { return previous_[i] < 0 && next_[i] >= 0 && next_[next_[i]] >= 0; }
+  bool looseEnd(int i) const { return next_[i] < 0 && previous_[i] >= 0 && previous_[previous_[i]] >= 0; }
   // Bridging makes no new ones.
   void findLooseStarts() {
-    starts_of_row_.assign(size_t(edges_.rows) + 1, 0);
+    start_pixels_.reset(edges_.cols, edges_.rows);
     for (int i = 0; i < int(edges_.points.size()); ++i) {
       if (!looseStart(i)) continue;
+      start_pixels_.add(edges_.x[i], edges_.y[i], int32_t(starts_.size()));
       starts_.push_back(i);
-      ++starts_of_row_[size_t(edges_.y[i]) + 1];
     }
-    for (size_t y = 1; y < starts_of_row_.size(); ++y) starts_of_row_[y] += starts_of_row_[y - 1];
   }
 
   // Links the loose end i with a loose start nearby: across a gap of a few pixels, or over an end point that
@@ -178,12 +236,8 @@ class Linker {
     constexpr int kReach = 4;
     int from = -1, to = -1, skipped = -1;
     float best = kNoLink;
-    const int x0 = edges_.x[i], y0 = edges_.y[i];
-    const int first = starts_of_row_[size_t(std::max(0, y0 - kReach))];
-    const int last = starts_of_row_[size_t(std::min(edges_.rows - 1, y0 + kReach)) + 1];
-    for (int k = first; k < last; ++k) {
-      const int j = starts_[size_t(k)];
-      if (std::abs(edges_.x[j] - x0) > kReach || j == i || !looseStart(j)) continue;
+    const auto consider = [&](int j) {
+      if (!looseStart(j) || !roughlyAhead(i, j)) return;
       for (int a : {i, previous_[i]})
         for (int b : {j, next_[j]}) {
           if (a == b) continue;
@@ -191,13 +245,26 @@ class Linker {
           if (c >= best || !inLine(a, b)) continue;
           best = c, from = a, to = b, skipped = j;
         }
-    }
+    };
+    const int x0 = std::max(0, edges_.x[i] - kReach), count = edges_.x[i] + kReach + 1 - x0;
+    const int y0 = std::max(0, edges_.y[i] - kReach), y1 = std::min(edges_.rows - 1, edges_.y[i] + kReach);
+    for (int y = y0; y <= y1; ++y)
+      for (uint32_t left = start_pixels_.run(x0, y, count); left; left &= left - 1)
+        consider(starts_[size_t(start_pixels_.point(x0 + lowestBit(left), y))]);
     if (from < 0) return;
     if (from != i) unlink(from, i);
     if (to != skipped) unlink(skipped, to);
     next_[from] = to;
     previous_[to] = from;
     next_cost_[from] = best;
+  }
+
+  // Whether the start j can continue the end i at all, their neighbours left alone.
+  bool roughlyAhead(int i, int j) const {
+    const EdgePoint &p = edges_.points[i], &q = edges_.points[j];
+    const Eigen::Vector2f d = q.uv - p.uv;
+    const float ahead = p.normal.x() * d.y() - p.normal.y() * d.x();
+    return j != i && ahead > -2.5f && p.normal.dot(q.normal) > 0;
   }
 
   // Does b lie ahead of a, aside by less than a gap of this length excuses?
@@ -217,7 +284,9 @@ class Linker {
   const EdgeMap& edges_;
   std::vector<int> next_, previous_;
   std::vector<float> next_cost_;
-  std::vector<int> starts_, starts_of_row_;
+  std::vector<int> ahead_, behind_;  // a point's own choice
+  std::vector<int> starts_;          // loose ones
+  EdgePixels start_pixels_;
 };
 
 // A trace is kept when noise alone would make fewer than one as strong: each independent point exceeds

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/model/contour.h"
-#include "monocular_eye_hand/recognition/pose_covariance.h"
+#include "monocular_eye_hand/recognition/feature_refinement.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -14,6 +14,7 @@ constexpr int kCoarseSamples = 48;
 constexpr size_t kMinMatches = 8;
 // Model tolerances and lens residuals: no edge is trusted better than this [px].
 constexpr double kMinSigma = 0.3;
+constexpr int kFeatureRounds = 2;  // features weighed against each other, then their samples sought again
 
 FreeAxis freeAxis(const ObjectModel& model) {
   FreeAxis axis;
@@ -28,6 +29,27 @@ FreeAxis freeAxis(const ObjectModel& model) {
 bool plausibleStep(const RefinedPose& refined) {
   return refined.well_posed && refined.camera_from_object.isFinite() &&
          refined.camera_from_object.translation.z() > 0;
+}
+
+// Contour samples under a pose with the edge points that answer them, and the samples' features.
+struct ContourMatches {
+  std::vector<LineMatch> lines;
+  std::vector<int> groups;
+};
+ContourMatches matchContour(const SearchModel& model, const Camera& camera, const RectDomain& domain,
+                            const EdgeRaster& raster, const Rigid3& pose, double range, double step) {
+  ContourMatches matches;
+  for (const SeenSample& s : projectContour(model.model(), pose, camera, domain, step)) {
+    if (!s.inside) continue;
+    const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
+    const int found = raster.find(s.uv, normal, range);
+    if (found < 0) continue;
+    const EdgePoint& point = raster.point(found);
+    matches.lines.push_back({s.p_in_object, point.uv.cast<double>(), normal,
+                             std::max({kMinSigma, double(point.sigma), range / 3})});
+    matches.groups.push_back(s.group);
+  }
+  return matches;
 }
 
 }  // namespace
@@ -98,31 +120,33 @@ RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const Re
   const FreeAxis axis = freeAxis(model.model());
   RefinedPose best;
   best.camera_from_object = start;
-  std::vector<LineMatch> matches;
-  std::vector<int> groups;
   for (size_t round = 0; round < ranges.size(); ++round) {
-    const double range = ranges[round];
-    matches.clear();
-    groups.clear();
-    for (const SeenSample& s : projectContour(model.model(), best.camera_from_object, camera, domain, step)) {
-      if (!s.inside) continue;
-      const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
-      const int found = raster.find(s.uv, normal, range);
-      if (found < 0) continue;
-      const EdgePoint& point = raster.point(found);
-      matches.push_back({s.p_in_object, point.uv.cast<double>(), normal,
-                         std::max({kMinSigma, double(point.sigma), range / 3})});
-      groups.push_back(s.group);
-    }
-    if (matches.size() < kMinMatches) return best;
+    const ContourMatches found =
+        matchContour(model, camera, domain, raster, best.camera_from_object, ranges[round], step);
+    if (found.lines.size() < kMinMatches) return best;
     RefineOptions options;
     options.max_iterations = round + 1 == ranges.size() ? 6 : 3;
-    const RefinedPose refined = refinePose(best.camera_from_object, camera, matches, {}, options, axis);
+    const RefinedPose refined = refinePose(best.camera_from_object, camera, found.lines, {}, options, axis);
     if (!plausibleStep(refined)) return best;
     best = refined;
   }
-  if (best.well_posed)
-    best.covariance = contourCovariance(best.camera_from_object, camera, matches, groups, axis);
+  return best;
+}
+
+RefinedPose alignByFeatures(const SearchModel& model, const Camera& camera, const RectDomain& domain,
+                            const EdgeRaster& raster, const Rigid3& start, double range, double step) {
+  const FreeAxis axis = freeAxis(model.model());
+  RefinedPose best;
+  best.camera_from_object = start;
+  for (int round = 0; round < kFeatureRounds; ++round) {
+    const ContourMatches found =
+        matchContour(model, camera, domain, raster, best.camera_from_object, range, step);
+    if (found.lines.size() < kMinMatches) break;
+    const RefinedPose refined =
+        refineByFeatures(best.camera_from_object, camera, found.lines, found.groups, axis);
+    if (!plausibleStep(refined)) break;
+    best = refined;
+  }
   return best;
 }
 

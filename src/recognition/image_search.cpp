@@ -252,28 +252,46 @@ void ImageSearch::recalculateChosen() {
   });
 }
 
-void ImageSearch::refineInFull() {
-  if (camera_.width == full_camera_.width || result_.objects.empty()) return;
-  timed("full resolution", [&](StageReport* report) {
-    const double scale = double(full_camera_.width) / camera_.width;
-    const FeatureSet features = detectFeatures(image_, full_camera_, options_.features);
-    const RectDomain domain = rectDomain(full_camera_);
-    const EdgeRaster raster(features, domain);
-    for (ObjectEstimate& object : result_.objects) {
-      const RefinedPose refined =
-          alignFinely(models_[object.object], full_camera_, domain, raster, object.camera_from_object,
-                      {1.5 * scale, scale, 1.5}, kFineStep * scale);
-      const cv::Rect& box = object.bounding_box;
-      object.bounding_box =
-          cv::Rect(int(box.x * scale), int(box.y * scale), int(box.width * scale), int(box.height * scale));
-      const bool stayed =
-          models_[object.object].poseDistance(full_camera_, refined.camera_from_object,
-                                              object.camera_from_object) < 2 * kSamePose * scale;
-      if (!refined.well_posed || !stayed) continue;
-      object.camera_from_object = refined.camera_from_object;
-      object.covariance = refined.covariance;
+// `scale`: of the full image over the search image.
+void ImageSearch::refine(const RectDomain& domain, const EdgeRaster& raster, double scale,
+                         ObjectEstimate* object) const {
+  const SearchModel& model = models_[object->object];
+  Rigid3 pose = object->camera_from_object;
+  if (scale > 1) {
+    const RefinedPose aligned =
+        alignFinely(model, full_camera_, domain, raster, pose, {1.5 * scale, scale, 1.5}, kFineStep * scale);
+    if (aligned.well_posed) pose = aligned.camera_from_object;
+  }
+  const RefinedPose refined =
+      alignByFeatures(model, full_camera_, domain, raster, pose, kFineRanges.back(), kFineStep);
+  const double moved =
+      model.poseDistance(full_camera_, refined.camera_from_object, object->camera_from_object);
+  if (!refined.well_posed || moved > 2 * kSamePose * scale) return;
+  object->camera_from_object = refined.camera_from_object;
+  object->covariance = refined.covariance;
+}
+
+void ImageSearch::refineReported() {
+  if (result_.objects.empty() && result_.rejected.empty()) return;
+  const double scale = double(full_camera_.width) / camera_.width;
+  timed("fine poses", [&](StageReport* report) {
+    FeatureSet features;
+    RectDomain domain = domain_;
+    std::optional<EdgeRaster> full;
+    if (scale > 1) {
+      features = detectFeatures(image_, full_camera_, options_.features);
+      domain = rectDomain(full_camera_);
+      full.emplace(features, domain);
+      report->counts = {{"edge points", double(features.points.size())}};
     }
-    report->counts = {{"edge points", double(features.points.size())}};
+    const EdgeRaster& raster = full ? *full : *raster_;
+    for (std::vector<ObjectEstimate>* objects : {&result_.objects, &result_.rejected})
+      for (ObjectEstimate& object : *objects) {
+        refine(domain, raster, scale, &object);
+        const cv::Rect& box = object.bounding_box;
+        object.bounding_box =
+            cv::Rect(int(box.x * scale), int(box.y * scale), int(box.width * scale), int(box.height * scale));
+      }
   });
 }
 
@@ -298,15 +316,7 @@ std::string ImageSearch::whyNothing() const {
   return reason;
 }
 
-RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) {
-  lookAtImage();
-  for (const SearchModel& model : models_) pools_.emplace_back(camera_, model, options_);
-  searchGroupings();
-  if (only_ < 0 || !found()) searchEdges();
-  result_.truncated = budget_.cutByTime();
-  result_.budget_spent = budget_.cutByWork();
-  recalculateChosen();
-
+void ImageSearch::report(const std::vector<ObjectEstimate>& previous) {
   timed("decision", [&](StageReport* report) {
     for (const Explanation& e : chooseExplanations(candidates_)) {
       ObjectEstimate object =
@@ -330,7 +340,19 @@ RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) 
     report->counts = {{"found", double(result_.objects.size())},
                       {"rejected", double(result_.rejected.size())}};
   });
-  refineInFull();
+}
+
+RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) {
+  lookAtImage();
+  for (const SearchModel& model : models_) pools_.emplace_back(camera_, model, options_);
+  searchGroupings();
+  if (only_ < 0 || !found()) searchEdges();
+  result_.truncated = budget_.cutByTime();
+  result_.budget_spent = budget_.cutByWork();
+  recalculateChosen();
+
+  report(previous);
+  refineReported();
   if (result_.objects.empty()) result_.reason = whyNothing();
   return std::move(result_);
 }

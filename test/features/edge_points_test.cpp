@@ -28,7 +28,7 @@ TEST(EdgePixels, TellPointsApart) {
     for (int x = 0; x + 5 <= kCols; ++x)
       for (int k = 0; k < 5; ++k) {
         const int point = truth[y][x + k];
-        ASSERT_EQ(pixels.five(x, y) >> k & 1, point >= 0 ? 1u : 0u) << x << " " << y << " " << k;
+        ASSERT_EQ(pixels.run(x, y, 5) >> k & 1, point >= 0 ? 1u : 0u) << x << " " << y << " " << k;
         if (point >= 0) {
           ASSERT_EQ(pixels.point(x + k, y), point);
         }

@@ -13,24 +13,24 @@ class EdgePixels {
  public:
   void reset(int cols, int rows) {
     words_ = size_t(cols) / 32 + 2;
-    bits_.assign(words_ * size_t(rows), 0);
-    before_.assign(words_ * size_t(rows), 0);
+    runs_.assign(words_ * size_t(rows), {});
   }
   /// Pixels have to be added in raster order, as points 0, 1, 2 ...
   void add(int x, int y, int32_t point) {
-    const size_t at = word(x, y);
-    if (bits_[at] == 0) before_[at] = point;
-    bits_[at] |= 1u << (x & 31);
+    Run& run = runs_[word(x, y)];
+    if (run.bits == 0) run.before = point;
+    run.bits |= 1u << (x & 31);
   }
-  /// Bit k tells whether pixel (x + k, y) holds a point, k = 0..4.
-  uint32_t five(int x, int y) const {
+  /// Bit k tells whether pixel (x + k, y) holds a point, k = 0 .. count - 1; count up to 32.
+  uint32_t run(int x, int y, int count) const {
     const size_t at = word(x, y);
-    return uint32_t((bits_[at] | uint64_t(bits_[at + 1]) << 32) >> (x & 31)) & 31u;
+    const uint64_t bits = runs_[at].bits | uint64_t(runs_[at + 1].bits) << 32;
+    return uint32_t(bits >> (x & 31)) & uint32_t((1ull << count) - 1);
   }
   /// The point of a pixel that holds one.
   int32_t point(int x, int y) const {
-    const size_t at = word(x, y);
-    return before_[at] + bitCount(bits_[at] & ((1u << (x & 31)) - 1));
+    const Run& run = runs_[word(x, y)];
+    return run.before + bitCount(run.bits & ((1u << (x & 31)) - 1));
   }
 
  private:
@@ -40,9 +40,12 @@ class EdgePixels {
     v = (v & 0x33333333u) + ((v >> 2) & 0x33333333u);
     return int((((v + (v >> 4)) & 0x0F0F0F0Fu) * 0x01010101u) >> 24);
   }
-  size_t words_ = 0;             // per row, one more than needed
-  std::vector<uint32_t> bits_;   // rows x words_
-  std::vector<int32_t> before_;  // the first point of each word that has one
+  struct Run {  // 32 pixels of a row
+    uint32_t bits = 0;
+    int32_t before = 0;  // its first point
+  };
+  size_t words_ = 0;  // runs per row, one more than needed
+  std::vector<Run> runs_;
 };
 
 /// Edge points of an image before linking, in raw pixels, in raster order, at least two pixels from the

@@ -31,4 +31,10 @@ RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const Re
                         const EdgeRaster& raster, const Rigid3& start, const std::vector<double>& ranges,
                         double step);
 
+/// The last step: the features weighed against each other (refineByFeatures) at samples within `range` px of
+/// the contour under `start`, an aligned pose; then once more at the samples sought again. `well_posed` is
+/// false, and the pose `start`, when too little of the contour is answered.
+RefinedPose alignByFeatures(const SearchModel& model, const Camera& camera, const RectDomain& domain,
+                            const EdgeRaster& raster, const Rigid3& start, double range, double step);
+
 }  // namespace monocular_eye_hand

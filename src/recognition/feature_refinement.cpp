@@ -1,0 +1,203 @@
+#include "monocular_eye_hand/recognition/feature_refinement.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace monocular_eye_hand {
+namespace {
+
+// Typical errors of a feature as a whole and of a sample by itself: what is known before anything is seen,
+// and how many observations this knowledge is worth. At first in pixels, then as shares of the residuals' own
+// spread.
+struct Typical {
+  double common, sample;
+};
+constexpr Typical kBefore{0.05, 0.07}, kShares{0.5, 0.7};
+constexpr double kCommonWorth = 1, kSampleWorth = 4;
+constexpr double kLeastSpread = 0.03;  // [px]
+constexpr double kCorrelation = 3;     // neighbouring samples err alike: so many count as one
+constexpr double kOutlier = 1.5;       // residuals beyond this belong to something else [px]
+constexpr int kIterations = 12;        // of each of the two rounds
+// What is known of a pose without any feature [m, rad]: keeps the inverse finite.
+constexpr double kPriorMetres = 1.0, kPriorRadians = 1.8;
+constexpr double kHeld = 1e9;  // information about a free axis while it is held
+
+// What a pose that has locked to wrong edges does not know of itself grows with the residuals' spread:
+// measured, the covariance has to be as many times wider as the spread is than this [px].
+constexpr double kHonestSpread = 0.07;
+
+struct Sample {
+  Eigen::Vector2d uv;
+  double residual;  // [px]
+  Vector6d derivative;
+};
+
+// The samples of one feature: residual + derivative^T motion = basis^T common + independent error, where
+// basis = (1, place along the feature in -1 .. 1).
+class Feature {
+ public:
+  explicit Feature(const std::vector<Sample>& samples) : samples_(double(samples.size())) {
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const Sample& s : samples) mean += s.uv / samples_;
+    const Eigen::Vector2d along = direction(samples, mean);
+    double reach = 0;
+    for (const Sample& s : samples) reach = std::max(reach, std::abs(along.dot(s.uv - mean)));
+    const double scale = samples.size() < 3 || !(reach > 0) ? 0 : 1 / reach;
+    for (const Sample& s : samples) {
+      const Eigen::Vector2d basis(1, scale * along.dot(s.uv - mean));
+      jj_ += s.derivative * s.derivative.transpose();
+      jb_ += s.derivative * basis.transpose();
+      jr_ += s.derivative * s.residual;
+      bb_ += basis * basis.transpose();
+      br_ += basis * s.residual;
+      rr_ += s.residual * s.residual;
+    }
+  }
+
+  void start(const Typical& typical) {
+    typical_ = {typical.common * typical.common, typical.sample * typical.sample};
+    common_variance_ = typical_.common;
+    sample_variance_ = typical_.sample;
+  }
+
+  // Adds J^T W J and J^T W r, W the inverse covariance of the samples' errors.
+  void addTo(Matrix6d* information, Vector6d* gradient) {
+    const double weight = 1 / (kCorrelation * sample_variance_);
+    common_covariance_ =
+        (Eigen::Matrix2d::Identity() / common_variance_ + weight * bb_).inverse();  // given the motion
+    const Eigen::Matrix<double, 6, 2> shared = weight * weight * jb_ * common_covariance_;
+    *information += weight * jj_ - shared * jb_.transpose();
+    *gradient += weight * jr_ - shared * br_;
+  }
+
+  // The most likely sizes of the errors, given what addTo() was asked for: a motion and its covariance.
+  void estimate(const Vector6d& motion, const Matrix6d& covariance) {
+    const double weight = 1 / (kCorrelation * sample_variance_);
+    const Eigen::Matrix<double, 2, 6> follows = weight * common_covariance_ * jb_.transpose();
+    const Eigen::Vector2d common = weight * common_covariance_ * br_ + follows * motion;
+    // Expectations of common common^T and of the squared independent errors.
+    const Eigen::Matrix2d second =
+        common * common.transpose() + common_covariance_ + follows * covariance * follows.transpose();
+    const Matrix6d moved = jj_ - 2 * jb_ * follows + follows.transpose() * bb_ * follows;
+    const double independent = squares(motion) - 2 * common.dot(br_ + jb_.transpose() * motion) +
+                               common.dot(bb_ * common) + (bb_ * common_covariance_).trace() +
+                               (moved * covariance).trace();
+    common_variance_ = (kCommonWorth * typical_.common + second.trace()) / (kCommonWorth + 2);
+    sample_variance_ =
+        (kSampleWorth * typical_.sample + std::max(0.0, independent)) / (kSampleWorth + samples_);
+  }
+
+  // Sum of squared residuals after the motion [px^2].
+  double squares(const Vector6d& motion) const {
+    return rr_ + 2 * motion.dot(jr_) + motion.dot(jj_ * motion);
+  }
+  double samples() const { return samples_; }
+
+ private:
+  static Eigen::Vector2d direction(const std::vector<Sample>& samples, const Eigen::Vector2d& mean) {
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const Sample& s : samples) spread += (s.uv - mean) * (s.uv - mean).transpose();
+    const double angle = 0.5 * std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1));
+    return {std::cos(angle), std::sin(angle)};
+  }
+
+  double samples_;
+  Matrix6d jj_ = Matrix6d::Zero();
+  Eigen::Matrix<double, 6, 2> jb_ = Eigen::Matrix<double, 6, 2>::Zero();
+  Vector6d jr_ = Vector6d::Zero();
+  Eigen::Matrix2d bb_ = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d br_ = Eigen::Vector2d::Zero();
+  double rr_ = 0;
+  Typical typical_{};  // as variances
+  double common_variance_ = 0, sample_variance_ = 0;
+  Eigen::Matrix2d common_covariance_ = Eigen::Matrix2d::Zero();
+};
+
+using SamplesByFeature = std::map<int, std::vector<Sample>>;
+SamplesByFeature usableSamples(const Rigid3& pose, const Camera& camera,
+                               const std::vector<LineMatch>& matches, const std::vector<int>& groups) {
+  SamplesByFeature samples;
+  for (size_t i = 0; i < matches.size(); ++i) {
+    Sample sample;
+    sample.uv = matches[i].uv;
+    sample.residual = lineResidual(pose, camera, matches[i], &sample.derivative);
+    if (std::abs(sample.residual) < kOutlier && sample.derivative.allFinite())
+      samples[groups[i]].push_back(sample);
+  }
+  return samples;
+}
+
+// Robust standard deviation of the residuals after a motion [px].
+double spread(const SamplesByFeature& samples, const Vector6d& motion) {
+  std::vector<double> sizes;
+  for (const auto& [group, of_feature] : samples)
+    for (const Sample& s : of_feature) sizes.push_back(std::abs(s.residual + s.derivative.dot(motion)));
+  const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return std::max(kLeastSpread, *middle / 0.6745);
+}
+
+// The motion of perturbed() that turns the object about its free axis.
+Vector6d freeTurn(const Rigid3& pose, const FreeAxis& axis) {
+  Vector6d turn = Vector6d::Zero();
+  if (!axis.present) return turn;
+  const Eigen::Vector3d direction = (pose.rotation * axis.direction).normalized();
+  turn << (pose.rotation * axis.point).cross(direction), direction;
+  return turn;
+}
+
+// The most likely motion and its covariance.
+struct Estimate {
+  Vector6d motion = Vector6d::Zero();
+  Matrix6d covariance = Matrix6d::Identity();
+};
+Estimate maximizeExpectation(const Typical& typical, const Vector6d& turn, std::vector<Feature>* features) {
+  Vector6d prior;
+  prior << Eigen::Vector3d::Constant(1 / (kPriorMetres * kPriorMetres)),
+      Eigen::Vector3d::Constant(1 / (kPriorRadians * kPriorRadians));
+  for (Feature& feature : *features) feature.start(typical);
+  Estimate estimate;
+  for (int i = 0; i <= kIterations; ++i) {
+    if (i > 0)
+      for (Feature& feature : *features) feature.estimate(estimate.motion, estimate.covariance);
+    Matrix6d information = prior.asDiagonal();
+    information += kHeld * turn * turn.transpose();
+    Vector6d gradient = Vector6d::Zero();
+    for (Feature& feature : *features) feature.addTo(&information, &gradient);
+    estimate.covariance = information.ldlt().solve(Matrix6d::Identity());
+    estimate.motion = -estimate.covariance * gradient;
+  }
+  return estimate;
+}
+
+}  // namespace
+
+RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera, const std::vector<LineMatch>& matches,
+                             const std::vector<int>& groups, const FreeAxis& axis) {
+  RefinedPose refined;
+  refined.camera_from_object = start;
+  const SamplesByFeature samples = usableSamples(start, camera, matches, groups);
+  if (samples.empty()) return refined;
+  std::vector<Feature> features;
+  for (const auto& [group, of_feature] : samples) features.emplace_back(of_feature);
+  const Vector6d turn = freeTurn(start, axis);
+  Estimate estimate = maximizeExpectation(kBefore, turn, &features);
+  const double before = spread(samples, estimate.motion);
+  estimate = maximizeExpectation({kShares.common * before, kShares.sample * before}, turn, &features);
+  const Matrix6d covariance =
+      before / kHonestSpread * estimate.covariance + M_PI * M_PI / 3 * turn * turn.transpose();
+  if (!estimate.motion.allFinite() || !covariance.allFinite()) return refined;
+  refined.camera_from_object = perturbed(start, estimate.motion);
+  refined.covariance = 0.5 * (covariance + covariance.transpose());
+  double squares = 0;
+  for (const Feature& f : features) squares += f.squares(estimate.motion), refined.inliers += f.samples();
+  refined.rms = std::sqrt(std::max(0.0, squares) / refined.inliers);
+  refined.iterations = 2 * kIterations;
+  refined.converged = refined.well_posed = true;
+  return refined;
+}
+
+}  // namespace monocular_eye_hand

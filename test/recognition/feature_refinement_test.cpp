@@ -1,0 +1,184 @@
+#include "monocular_eye_hand/recognition/feature_refinement.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <random>
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr int kFeatures = 8;
+
+Camera camera() {
+  Camera c;
+  c.width = 640, c.height = 480;
+  c.fx = c.fy = 700, c.cx = 319.5, c.cy = 239.5;
+  return c;
+}
+
+Rigid3 truth() {
+  Rigid3 p;
+  p.rotation = expSO3({2.4, 0.2, 0.3});
+  p.translation = {0.02, -0.01, 0.5};
+  return p;
+}
+
+// The outlines of two squares of 10 cm, one 4 cm above the other, seen under truth(): eight features of
+// `per_edge` samples each, from one end to the other.
+struct Contour {
+  explicit Contour(int per_edge) : per_edge(per_edge) {
+    int group = 0;
+    for (double z : {0.0, 0.04})
+      for (int side = 0; side < 4; ++side, ++group) {
+        const auto corner = [&](int k) {
+          return Eigen::Vector3d((k + 1) % 4 < 2 ? -0.05 : 0.05, k % 4 < 2 ? -0.05 : 0.05, z);
+        };
+        const Eigen::Vector3d a = corner(side), b = corner(side + 1);
+        const Eigen::Vector2d d = camera().project(truth() * b) - camera().project(truth() * a);
+        for (int i = 0; i < per_edge; ++i) {
+          const Eigen::Vector3d p = a + (i + 0.5) / per_edge * (b - a);
+          matches.push_back(
+              {p, camera().project(truth() * p), Eigen::Vector2d(-d.y(), d.x()).normalized(), 0.3});
+          groups.push_back(group);
+        }
+      }
+  }
+  // Moves a feature's edge across itself: by `offset` in its middle, more by `slope` at its end [px].
+  void displace(int feature, double offset, double slope = 0) {
+    for (int i = 0; i < per_edge; ++i) {
+      LineMatch& match = matches[size_t(feature * per_edge + i)];
+      match.uv += (offset + slope * ((2.0 * i + 1) / per_edge - 1)) * match.normal;
+    }
+  }
+  RefinedPose refined(const Rigid3& start, const FreeAxis& axis = {}) const {
+    return refineByFeatures(start, camera(), matches, groups, axis);
+  }
+  int per_edge;
+  std::vector<LineMatch> matches;
+  std::vector<int> groups;
+};
+
+double distance(const Rigid3& a, const Rigid3& b) { return difference(a, b).norm(); }
+
+Rigid3 nearTruth() {
+  Vector6d d;
+  d << 3e-4, -2e-4, 4e-4, 1e-3, -1e-3, 5e-4;
+  return perturbed(truth(), d);
+}
+
+TEST(FeatureRefinement, finds_the_pose_of_exact_samples) {
+  const RefinedPose refined = Contour(20).refined(nearTruth());
+  ASSERT_TRUE(refined.well_posed);
+  EXPECT_LT(distance(refined.camera_from_object, truth()), 0.02 * distance(nearTruth(), truth()));
+  EXPECT_LT(refined.rms, 0.02);
+  EXPECT_EQ(refined.inliers, 160);
+}
+
+TEST(FeatureRefinement, covariance_is_symmetric_positive_and_of_a_plausible_size) {
+  const Matrix6d c = Contour(20).refined(truth()).covariance;
+  EXPECT_EQ(c, c.transpose());
+  EXPECT_EQ(Eigen::LLT<Matrix6d>(c).info(), Eigen::Success);
+  for (int i = 0; i < 2; ++i) {  // a fraction of a pixel: 0.7 mm each
+    EXPECT_GT(std::sqrt(c(i, i)), 1e-6);
+    EXPECT_LT(std::sqrt(c(i, i)), 3e-4);
+  }
+  EXPECT_GT(c(2, 2), c(0, 0)) << "depth is the least certain";
+}
+
+TEST(FeatureRefinement, more_samples_of_the_same_features_do_not_make_the_covariance_vanish) {
+  const auto sigma = [](int samples) {
+    return std::sqrt(Contour(samples).refined(truth()).covariance(2, 2));
+  };
+  EXPECT_LT(sigma(20), sigma(5));
+  EXPECT_LT(sigma(500), sigma(20));
+  EXPECT_GT(sigma(500), 0.1 * sigma(20)) << "a feature as a whole is only so certain";
+}
+
+TEST(FeatureRefinement, a_feature_that_disagrees_counts_little) {
+  for (int feature = 0; feature < kFeatures; ++feature) {
+    Contour contour(20);
+    contour.displace(feature, 1.0);
+    const RefinedPose refined = contour.refined(truth());
+    RefineOptions alike;
+    alike.robust_scale = 0;
+    const RefinedPose plain = refinePose(truth(), camera(), contour.matches, {}, alike);
+    EXPECT_LT(distance(refined.camera_from_object, truth()),
+              0.25 * distance(plain.camera_from_object, truth()))
+        << feature;
+  }
+}
+
+TEST(FeatureRefinement, disagreement_widens_the_covariance) {
+  Contour contour(20);
+  const Matrix6d agreeing = contour.refined(truth()).covariance;
+  for (int feature = 0; feature < kFeatures; ++feature) contour.displace(feature, feature % 3 - 1.0, 0.3);
+  EXPECT_GT(contour.refined(truth()).covariance(2, 2), 4 * agreeing(2, 2));
+}
+
+TEST(FeatureRefinement, errors_common_to_a_feature_lie_within_the_covariance) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  constexpr int kDraws = 300;
+  double mean = 0;  // of the squared errors in units of the covariance, 6 when it is honest
+  for (int draw = 0; draw < kDraws; ++draw) {
+    Contour contour(20);
+    for (int feature = 0; feature < kFeatures; ++feature)
+      contour.displace(feature, 0.1 * normal(random), 0.1 * normal(random));
+    for (LineMatch& match : contour.matches) match.uv += 0.1 * normal(random) * match.normal;
+    const RefinedPose refined = contour.refined(truth());
+    const Vector6d error = difference(truth(), refined.camera_from_object);
+    mean += error.dot(refined.covariance.ldlt().solve(error)) / kDraws;
+  }
+  EXPECT_GT(mean, 2);
+  EXPECT_LT(mean, 14);
+}
+
+TEST(FeatureRefinement, outliers_say_nothing) {
+  Contour contour(20);
+  const RefinedPose clean = contour.refined(nearTruth());
+  for (int i = 0; i < 50; ++i) {
+    LineMatch far = contour.matches[size_t(i)];
+    far.uv += 30 * far.normal;
+    contour.matches.push_back(far);
+    contour.groups.push_back(contour.groups[size_t(i)]);
+  }
+  const RefinedPose same = contour.refined(nearTruth());
+  EXPECT_LT(distance(same.camera_from_object, clean.camera_from_object), 1e-12);
+  EXPECT_LT((same.covariance - clean.covariance).norm(), 1e-12 * clean.covariance.norm());
+}
+
+TEST(FeatureRefinement, without_usable_samples_it_is_not_well_posed) {
+  EXPECT_FALSE(refineByFeatures(truth(), camera(), {}, {}, {}).well_posed);
+  Contour contour(5);
+  for (LineMatch& match : contour.matches) match.uv.setConstant(std::nan(""));
+  const RefinedPose refined = contour.refined(truth());
+  EXPECT_FALSE(refined.well_posed);
+  EXPECT_LT(distance(refined.camera_from_object, truth()), 1e-15);
+}
+
+TEST(FeatureRefinement, the_turn_about_a_free_axis_is_open_and_nothing_else) {
+  FreeAxis axis;
+  axis.present = true;
+  axis.point = {0.01, 0.02, 0};
+  axis.direction = Eigen::Vector3d::UnitZ();
+  const Contour contour(20);
+  const Matrix6d held = contour.refined(truth(), axis).covariance, seen = contour.refined(truth()).covariance;
+  const Eigen::Vector3d direction = truth().rotation * axis.direction;
+  const auto about = [&](const Matrix6d& c) {
+    return direction.dot(c.bottomRightCorner<3, 3>() * direction);
+  };
+  EXPECT_NEAR(about(held), M_PI * M_PI / 3, 0.01);
+  EXPECT_LT(about(seen), 1e-3);
+  const Eigen::Vector3d tilt = direction.unitOrthogonal();
+  EXPECT_LT(tilt.dot(held.bottomRightCorner<3, 3>() * tilt), 1e-3);
+  // The point on the axis stays where it is: its covariance is small, though the turn is open.
+  const Eigen::Vector3d arm = truth() * axis.point - truth().translation;
+  Eigen::Matrix<double, 3, 6> moves;
+  moves << Eigen::Matrix3d::Identity(), -skew(arm);
+  EXPECT_LT((moves * held * moves.transpose()).trace(), 1e-5);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
