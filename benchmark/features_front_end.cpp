@@ -1,10 +1,15 @@
 // Time from a camera image to segments and ellipses beside EdgeDrawing's lines and ellipses, in turns.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <opencv2/imgproc.hpp>
 
 #include "features_bench_sets.h"
 #include "features_detectors.h"
+#include "monocular_eye_hand/features/edge_detection.h"
+#include "monocular_eye_hand/features/joining.h"
+#include "monocular_eye_hand/features/linking.h"
+#include "monocular_eye_hand/features/splitting.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -25,6 +30,36 @@ cv::Mat enlarged(const cv::Mat& grey, Size size) {
   return large(middle).clone();
 }
 
+// What detectFeatures() does one after the other; segments here of all points, those on ellipses too.
+constexpr std::array<const char*, 6> kStages = {"edge_points_ms", "linking_ms",  "arcs_ms",
+                                                "ellipses_ms",    "segments_ms", "joining_ms"};
+std::array<double, kStages.size()> stageMilliseconds(const cv::Mat& grey) {
+  std::array<double, kStages.size()> times{};
+  double last = threadSeconds();
+  const auto lap = [&](size_t stage) {
+    const double now = threadSeconds();
+    times[stage] = 1e3 * (now - last);
+    last = now;
+  };
+  const FeatureOptions options;
+  const EdgeMap map = detectEdgePoints(grey, options);
+  lap(0);
+  LinkedEdges edges = linkEdges(map, options);
+  rotateClosedTraces(&edges);
+  lap(1);
+  TracePolygons polygons;
+  const std::vector<EllipticArc> arcs = findArcs(edges, map.correlation_length, options, &polygons);
+  lap(2);
+  benchmark::DoNotOptimize(joinArcs(edges.points, arcs, map.correlation_length, options));
+  lap(3);
+  const std::vector<LineSegment> segments =
+      findSegments(edges, {}, map.correlation_length, options, &polygons);
+  lap(4);
+  benchmark::DoNotOptimize(joinSegments(segments, options));
+  lap(5);
+  return times;
+}
+
 // Arguments: data set, size. One image after the other; of each the median of turns of all detectors.
 void BM_FrontEnd(benchmark::State& state) {
   constexpr int kTurns = 5;
@@ -36,6 +71,7 @@ void BM_FrontEnd(benchmark::State& state) {
   const BenchDataset& set = sets[size_t(state.range(0))];
   const Size size = kSizes[state.range(1)];
   std::vector<double> ours, edge_drawing, lsd, ratio;
+  std::array<std::vector<double>, kStages.size()> stages;
   for (auto _ : state)
     for (const BopImage& image : set.images.images) {
       const cv::Mat grey = enlarged(loadBopImage(image), size);
@@ -47,6 +83,8 @@ void BM_FrontEnd(benchmark::State& state) {
       edge_drawing.push_back(1e3 * quantile(times[1], 0.5));
       lsd.push_back(1e3 * quantile(times[2], 0.5));
       ratio.push_back(ours.back() / edge_drawing.back());
+      const auto stage_times = stageMilliseconds(grey);
+      for (size_t k = 0; k < kStages.size(); ++k) stages[k].push_back(stage_times[k]);
     }
   state.SetLabel(set.name + " " + std::to_string(size.width) + " x " + std::to_string(size.height));
   state.counters["images"] = double(ours.size());
@@ -56,6 +94,7 @@ void BM_FrontEnd(benchmark::State& state) {
   state.counters["peer_worst_ms"] = quantile(edge_drawing, 1);
   state.counters["lsd_ms"] = quantile(lsd, 0.5);
   state.counters["ratio"] = quantile(ratio, 0.5);
+  for (size_t k = 0; k < kStages.size(); ++k) state.counters[kStages[k]] = quantile(stages[k], 0.5);
   state.counters["pixels"] = double(size.width) * size.height;
 }
 BENCHMARK(BM_FrontEnd)->ArgsProduct({{0, 1, 2}, {0, 1, 2}})->Iterations(1)->Unit(benchmark::kMillisecond);

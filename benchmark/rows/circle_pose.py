@@ -1,6 +1,6 @@
 """Pose from a circle's image and one point: error without noise by tilt, both solutions, their order."""
 from figures import Figure
-from log_plot import log_plot
+from plots import log_plot
 
 TILTS = ("0", "0.01", "0.1", "1", "5", "20", "60", "85")   # ends of the ranges, degrees
 

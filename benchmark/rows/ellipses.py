@@ -1,5 +1,6 @@
 """Ellipses, whole and hidden in part: F1, precision, recall, centre error and time beside EdgeDrawing."""
 from figures import Figure
+from plots import linear_plot
 
 
 def figures(bench):
@@ -19,3 +20,7 @@ def figures(bench):
     yield Figure("share of the peer's time, lines + ellipses", time["ours_ms"] / time["peer_both_ms"], "", "<= 1",
                  "EdgeDrawing", 1, how)
     yield Figure("time, peer's ellipses alone", time["ours_ms"], "ms", None, "EdgeDrawing", time["peer_ms"], how)
+    curves = {f"{of}, {name}": [(k, run[f"{of}_{k}"]) for k in range(0, 60, 10)]
+              for of in ("recall", "precision") for name, run in (("ours", ours), ("EdgeDrawing", peer))}
+    (bench.out / "ellipses.svg").write_text(
+        linear_plot(curves, "Ellipses hidden in part", "hidden share of the ellipse [%]", "share"), encoding="utf-8")

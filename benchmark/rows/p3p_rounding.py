@@ -3,7 +3,7 @@ import csv
 import subprocess
 
 from figures import CannotMeasure, Figure
-from log_plot import log_plot
+from plots import log_plot
 
 SHOWN = ("30", "300")   # distances in longest sides of the triangle
 

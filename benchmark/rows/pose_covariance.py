@@ -4,6 +4,7 @@ import statistics
 import subprocess
 
 from figures import CannotMeasure, Figure
+from plots import linear_plot
 
 POSES = 1000                            # rendered per part
 LEVELS = {50: 5.0, 90: 4.0, 99: 1.5}    # per cent of the errors, and by how much they may differ
@@ -22,9 +23,21 @@ def figures(bench):
     with open(path, encoding="utf-8") as file:
         for line in csv.DictReader(file):
             parts.setdefault(line["part"], []).append(line)
+    curves = {"honest": [(level, level) for level in LEVELS]}
+    for part, lines in parts.items():
+        curves[part] = list(zip(LEVELS, within(lines)))
+    (bench.out / "pose_covariance.svg").write_text(
+        linear_plot(curves, "Pose errors within the reported ellipsoids", "ellipsoid [%]", "errors inside [%]"),
+        encoding="utf-8")
     yield from of_part("all parts", [line for lines in parts.values() for line in lines], POSES * len(parts), True)
     for part, lines in parts.items():
         yield from of_part(part, lines, POSES, False)
+
+
+def within(lines):
+    """Per cent of the errors within the ellipsoid of each level."""
+    return [100 * sum(float(line["square"]) <= LIMITS[int(line["freedoms"])][k] for line in lines) / len(lines)
+            for k in range(len(LEVELS))]
 
 
 def numbers(text):
@@ -33,10 +46,9 @@ def numbers(text):
 
 def of_part(name, lines, rendered, targets):
     how = f"{len(lines)} found of {rendered} rendered (one part, plain table, random light and view)"
-    for k, (level, slack) in enumerate(LEVELS.items()):
-        within = 100 * sum(float(line["square"]) <= LIMITS[int(line["freedoms"])][k] for line in lines) / len(lines)
-        yield Figure(f"{name}: errors within the {level} % ellipsoid", within, "%", conditions=how)
-        yield Figure(f"{name}: departure from {level} %", abs(within - level), "points",
+    for (level, slack), share in zip(LEVELS.items(), within(lines)):
+        yield Figure(f"{name}: errors within the {level} % ellipsoid", share, "%", conditions=how)
+        yield Figure(f"{name}: departure from {level} %", abs(share - level), "points",
                      f"<= {slack:g}" if targets else None, conditions=how)
     errors = [numbers(line["errors"]) for line in lines]
     sigmas = [numbers(line["sigmas"]) for line in lines]

@@ -158,8 +158,16 @@ double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
   return gap.dot(spread.ldlt().solve(gap));
 }
 
-double ObjectMap::reach(int object) const {
-  return options_.same_place * model(object).bounds.sizes().minCoeff();
+bool ObjectMap::samePlace(const Sighting& a, const Sighting& b) const {
+  const Eigen::Vector3d sides = model(a.object).bounds.sizes();
+  if (!models_->objects[size_t(a.object)].handling.obstacle)
+    return centreDistance(a, b) <= options_.same_place * sides.minCoeff();
+  // What things lie in is hollow: another of its size would have to go through its walls.
+  const Eigen::Vector3d centre = model(a.object).centre();
+  const Eigen::Vector3d apart =
+      equalSighting(b, a.base_from_object).base_from_object * centre - a.base_from_object * centre;
+  const Eigen::Vector3d along = a.base_from_object.rotation.transpose() * apart;
+  return (along.cwiseAbs().array() <= options_.same_place * sides.array()).all();
 }
 
 std::vector<int> ObjectMap::associate(const std::vector<Sighting>& sightings,
@@ -170,10 +178,10 @@ std::vector<int> ObjectMap::associate(const std::vector<Sighting>& sightings,
     const Sighting& known = tracks_[t].merged;
     for (size_t k = 0; k < sightings.size(); ++k) {
       if (sightings[k].object != known.object) continue;
-      const double distance = centreDistance(known, sightings[k]);
       const double chi_square = chiSquare(known, sightings[k]);
       const bool outside = !(chi_square <= options_.gate);
-      if (distance <= reach(known.object) || (!outside && distance <= options_.max_distance))
+      if (samePlace(known, sightings[k]) ||
+          (!outside && centreDistance(known, sightings[k]) <= options_.max_distance))
         pairs.emplace_back(outside, chi_square, t, k);
     }
   }

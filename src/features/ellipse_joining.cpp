@@ -125,7 +125,9 @@ class ArcJoiner {
     GroupFit fit;
     static_cast<EllipseFit&>(fit) = refineEllipse(fit_points_, start, 10);
     if (!fit.valid) return fit;
-    const double excess = std::max(1.0, fit.chi2 / std::max(1, fit.count - 5));
+    // The points' variances are known as well as so many residuals tell them.
+    constexpr double kKnown = 60;
+    const double excess = (fit.chi2 + kKnown) / (std::max(0, fit.count - 5) + kKnown);
     const double points_per_used = double(total) / fit.count;
     fit.covariance = covarianceOf(fit) * excess * std::max(1.0, correlation_length_) / points_per_used;
     return fit;

@@ -69,7 +69,8 @@ class TraceSegments {
       const double tolerance = splitTolerance(edges_.points, range, options_);
       breaks = polygonBreaks(edges_.points, sums_, range, tolerance);
     }
-    mergeBreaks(edges_.points, sums_, correlation_length_, options_.split_tolerance, &breaks);
+    mergeBreaks(edges_.points, sums_, correlation_length_, mergeTolerance(edges_.points, range, options_),
+                &breaks);
     pieces_.clear();
     const size_t n = breaks.size() - 1;
     for (size_t i = 0; i < n; ++i) {

@@ -23,6 +23,15 @@ std::pair<int, double> farthest(const std::vector<EdgePoint>& points, int begin,
   return {best, most};
 }
 
+// Of about 32 points of a run.
+double meanSigma(const std::vector<EdgePoint>& points, PointRange range) {
+  double sum = 0;
+  const int stride = std::max(1, range.count / 32);
+  int used = 0;
+  for (int i = 0; i < range.count; i += stride, ++used) sum += fitSigma(points[range.first + i]);
+  return sum / used;
+}
+
 // Moves break b to the place between its neighbours where the two lines beside it fit best.
 int bestBreak(const LineSums& sums, int begin, int b, int end) {
   constexpr int kReach = 5, kShortest = 3;
@@ -38,11 +47,11 @@ int bestBreak(const LineSums& sums, int begin, int b, int end) {
 }  // namespace
 
 double splitTolerance(const std::vector<EdgePoint>& points, PointRange range, const FeatureOptions& options) {
-  double sum = 0;
-  const int stride = std::max(1, range.count / 32);
-  int used = 0;
-  for (int i = 0; i < range.count; i += stride, ++used) sum += fitSigma(points[range.first + i]);
-  return std::min(std::max(4 * sum / used, 0.45), options.split_tolerance);
+  return std::min(std::max(4 * meanSigma(points, range), 0.45), options.split_tolerance);
+}
+
+double mergeTolerance(const std::vector<EdgePoint>& points, PointRange range, const FeatureOptions& options) {
+  return std::max(5 * meanSigma(points, range), options.split_tolerance);
 }
 
 std::vector<int> polygonBreaks(const std::vector<EdgePoint>& points, const LineSums& sums, PointRange range,
@@ -97,9 +106,10 @@ double largestRunDistance(const std::vector<EdgePoint>& points, const LineFit& l
 
 void mergeBreaks(const std::vector<EdgePoint>& points, const LineSums& sums, double correlation_length,
                  double tolerance, std::vector<int>* breaks) {
-  // A break costs a description of about two numbers and a place: 12 nats; chi2 counts neighbouring points as
-  // independent, so it is divided by the correlation length, and by its own excess over the prediction.
-  const double break_cost = 2 * 12 * correlation_length;
+  // A break costs a description of two numbers and a place, about six nats each; chi2 counts neighbouring
+  // points as independent, so it is divided by the correlation length, and by its own excess over the
+  // prediction.
+  const double break_cost = 2 * 18 * correlation_length;
   constexpr double kUnseenRms = 0.25;  // px: a bend that no use of the line would notice
   constexpr double kNever = -1;
   // Gain of removing break i, kNever when it must stay.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "monocular_eye_hand/model/contour.h"
 #include "monocular_eye_hand/recognition/feature_refinement.h"
@@ -34,7 +35,7 @@ bool plausibleStep(const RefinedPose& refined) {
 // Contour samples under a pose with the edge points that answer them, and the samples' features.
 struct ContourMatches {
   std::vector<LineMatch> lines;
-  std::vector<int> groups;
+  std::vector<int> groups, edge_points;
 };
 ContourMatches matchContour(const SearchModel& model, const Camera& camera, const RectDomain& domain,
                             const EdgeRaster& raster, const Rigid3& pose, double range, double step) {
@@ -48,8 +49,35 @@ ContourMatches matchContour(const SearchModel& model, const Camera& camera, cons
     matches.lines.push_back({s.p_in_object, point.uv.cast<double>(), normal,
                              std::max({kMinSigma, double(point.sigma), range / 3})});
     matches.groups.push_back(s.group);
+    matches.edge_points.push_back(found);
   }
   return matches;
+}
+
+// Where two features answer to one image edge, as the front and the back rim of a face seen straight on do,
+// the nearer one is what the image shows; counted twice the edge would seem to fix the tilt.
+ContourMatches withoutDoubles(const ContourMatches& all, const Rigid3& pose) {
+  constexpr int kNear = 2;  // edge points apart along their trace
+  std::vector<size_t> order(all.lines.size());
+  std::iota(order.begin(), order.end(), size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t i, size_t j) { return all.edge_points[i] < all.edge_points[j]; });
+  const auto depth = [&](size_t i) { return (pose * all.lines[i].p_in_object).z(); };
+  std::vector<char> behind(all.lines.size(), 0);
+  for (size_t a = 0; a < order.size(); ++a)
+    for (size_t b = a + 1; b < order.size(); ++b) {
+      const size_t i = order[a], j = order[b];
+      if (all.edge_points[j] - all.edge_points[i] > kNear) break;
+      if (all.groups[i] != all.groups[j]) behind[depth(i) > depth(j) ? i : j] = 1;
+    }
+  ContourMatches single;
+  for (size_t i = 0; i < all.lines.size(); ++i) {
+    if (behind[i]) continue;
+    single.lines.push_back(all.lines[i]);
+    single.groups.push_back(all.groups[i]);
+    single.edge_points.push_back(all.edge_points[i]);
+  }
+  return single;
 }
 
 }  // namespace
@@ -139,11 +167,11 @@ RefinedPose alignByFeatures(const SearchModel& model, const Camera& camera, cons
   RefinedPose best;
   best.camera_from_object = start;
   for (int round = 0; round < kFeatureRounds; ++round) {
+    const Rigid3& pose = best.camera_from_object;
     const ContourMatches found =
-        matchContour(model, camera, domain, raster, best.camera_from_object, range, step);
+        withoutDoubles(matchContour(model, camera, domain, raster, pose, range, step), pose);
     if (found.lines.size() < kMinMatches) break;
-    const RefinedPose refined =
-        refineByFeatures(best.camera_from_object, camera, found.lines, found.groups, axis);
+    const RefinedPose refined = refineByFeatures(pose, camera, found.lines, found.groups, axis);
     if (!plausibleStep(refined)) break;
     best = refined;
   }

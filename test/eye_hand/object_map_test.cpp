@@ -202,6 +202,24 @@ TEST(ObjectMap, AnObstacleYieldsToNoPart) {
   EXPECT_EQ(map.objects()[0].object, kFrame);
 }
 
+TEST(ObjectMap, ABadlyLocatedObstacleIsNoSecondOne) {
+  ModelBase base = models();
+  base.objects[kFrame].handling.obstacle = true;
+  const Eigen::Vector3d sides = base.objects[kFrame].model.bounds.sizes();
+  ObjectMap map(&base);
+  const Rigid3 frame = upright(0.45, 0, 0.3), off = upright(0.45 + 0.2 * sides.x(), 0, 0.3);
+  map.add(view(1, kLeft, kTarget, {{kFrame, off}}));
+  ViewReport report = map.add(view(2, kRight, kTarget, {{kFrame, frame}}));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kOutlier);
+  EXPECT_EQ(map.objects().size(), 1u);
+  report = map.add(view(3, kFar, kTarget, {{kFrame, frame}}));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kRestarted);
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_LT(difference(map.objects()[0].base_from_object, frame).norm(), 1e-9);
+  map.add(view(4, kNear, kTarget, {{kFrame, frame}, {kFrame, upright(0.45 + 1.5 * sides.x(), 0, 0.3)}}));
+  EXPECT_EQ(map.objects().size(), 2u);
+}
+
 TEST(ObjectMap, RefusesWithReasons) {
   ObjectMap map(&models());
   ObjectView v = view(5, kLeft, kTarget, {{kBridge, upright(0.45, 0)}});

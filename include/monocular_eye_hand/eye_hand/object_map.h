@@ -22,7 +22,8 @@ struct ObjectMapOptions {
   double floor_rotation = 1e-3;  ///< the same about each axis [rad]
   double gate = 30;              ///< chi-square (6 degrees of freedom) beyond which a view is an outlier
   double same_place = 0.5;       ///< two of a name are one when their centres are nearer than this share of
-                                 ///< the smallest side of the part's box: parts do not lie inside each other
+                                 ///< the smallest side of the part's box: parts do not lie inside each other;
+                                 ///< of obstacles, nearer along each side than this share of it
   double max_distance = 0.05;    ///< or nearer than this and inside the gate [m]
   int outliers_to_restart = 2;   ///< so many outliers in a row that agree: the object was moved
   double min_motion = 0.01;      ///< views from nearer camera places share their errors [m] ...
@@ -160,7 +161,7 @@ class ObjectMap {
   const ObjectModel& model(int object) const { return models_->objects[size_t(object)].model; }
   double chiSquare(const Sighting& a, const Sighting& b) const;
   double centreDistance(const Sighting& a, const Sighting& b) const;
-  double reach(int object) const;
+  bool samePlace(const Sighting& a, const Sighting& b) const;
   std::vector<int> associate(const std::vector<Sighting>& sightings, std::vector<double>* chi_squares) const;
   ViewDecision meet(Track* track, const Sighting& sighting, double chi_square, double stamp) const;
   ViewDecision contradict(Track* track, const Sighting& sighting, double chi_square, double stamp) const;

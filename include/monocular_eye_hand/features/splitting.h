@@ -45,6 +45,10 @@ void mergeBreaks(const std::vector<EdgePoint>& points, const LineSums& sums, dou
 /// Tolerance for splitting a run: a few standard deviations of its points, between 0.4 px and the option.
 double splitTolerance(const std::vector<EdgePoint>& points, PointRange range, const FeatureOptions& options);
 
+/// Tolerance for joining pieces again: the option, more where noise lets neighbouring points wander farther
+/// together.
+double mergeTolerance(const std::vector<EdgePoint>& points, PointRange range, const FeatureOptions& options);
+
 /// Turns closed traces so that they start at a corner if they have one.
 void rotateClosedTraces(LinkedEdges* edges);
 

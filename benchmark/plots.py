@@ -1,0 +1,85 @@
+"""Plots as SVG, without any library: curves over logarithmic or linear axes."""
+import math
+from xml.sax.saxutils import escape
+
+COLOURS = ("#c0392b", "#e08e0b", "#1f77b4", "#2e8b57", "#7b4fa3", "#555555")
+WIDTH, HEIGHT = 720, 420
+LEFT, RIGHT, TOP, BOTTOM = 80, 200, 40, 60  # margins; the legend stands in the right one
+
+
+class LogAxis:
+    """Whole decades around positive values."""
+
+    def __init__(self, values):
+        self.low = math.floor(math.log10(min(values)))
+        self.high = max(math.ceil(math.log10(max(values))), self.low + 1)
+
+    def place(self, value):
+        """0 at the low end, 1 at the high end."""
+        return (math.log10(value) - self.low) / (self.high - self.low)
+
+    def ticks(self):
+        step = 1 if self.high - self.low < 9 else 2
+        return [(10.0 ** k, f"{10 ** k:g}" if abs(k) < 5 else f"1e{k}") for k in range(self.low, self.high + 1, step)]
+
+
+class LinearAxis:
+    """Round steps around the values."""
+
+    def __init__(self, values):
+        span = max(max(values) - min(values), 1e-12)
+        decade = 10.0 ** math.floor(math.log10(span / 4))
+        self.step = next(m * decade for m in (1, 2, 5, 10) if span / (m * decade) <= 6)
+        self.low = math.floor(min(values) / self.step + 1e-9)
+        self.high = max(math.ceil(max(values) / self.step - 1e-9), self.low + 1)
+
+    def place(self, value):
+        return (value / self.step - self.low) / (self.high - self.low)
+
+    def ticks(self):
+        return [(k * self.step, f"{k * self.step:g}") for k in range(self.low, self.high + 1)]
+
+
+def log_plot(curves, title, x_label, y_label):
+    """SVG text of {name: [(x, y), ...]}, all coordinates positive."""
+    return plot(curves, title, x_label, y_label, LogAxis)
+
+
+def linear_plot(curves, title, x_label, y_label):
+    """SVG text of {name: [(x, y), ...]}."""
+    return plot(curves, title, x_label, y_label, LinearAxis)
+
+
+def plot(curves, title, x_label, y_label, axis):
+    x_axis, y_axis = (axis([point[k] for points in curves.values() for point in points]) for k in (0, 1))
+
+    def place(x, y):
+        return (LEFT + x_axis.place(x) * (WIDTH - LEFT - RIGHT),
+                HEIGHT - BOTTOM - y_axis.place(y) * (HEIGHT - TOP - BOTTOM))
+
+    left, right, bottom = LEFT, WIDTH - RIGHT, HEIGHT - BOTTOM
+    svg = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
+           'font-size="13">', f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
+           f'<text x="{LEFT}" y="24" font-size="15">{escape(title)}</text>']
+    for value, text in x_axis.ticks():
+        x = left + x_axis.place(value) * (right - left)
+        svg.append(f'<line x1="{x:.1f}" y1="{TOP}" x2="{x:.1f}" y2="{bottom}" stroke="#ddd"/>')
+        svg.append(f'<text x="{x:.1f}" y="{bottom + 18}" text-anchor="middle">{text}</text>')
+    for value, text in y_axis.ticks():
+        y = bottom - y_axis.place(value) * (bottom - TOP)
+        svg.append(f'<line x1="{left}" y1="{y:.1f}" x2="{right}" y2="{y:.1f}" stroke="#ddd"/>')
+        svg.append(f'<text x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">{text}</text>')
+    for i, (name, points) in enumerate(curves.items()):
+        colour = COLOURS[i % len(COLOURS)]
+        path = " ".join(f"{x:.1f},{y:.1f}" for x, y in (place(*point) for point in points))
+        svg.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="2"/>')
+        for x, y in (place(*point) for point in points):
+            svg.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{colour}"/>')
+        y = TOP + 16 + 22 * i
+        svg.append(f'<line x1="{right + 14}" y1="{y - 4}" x2="{right + 38}" y2="{y - 4}" '
+                   f'stroke="{colour}" stroke-width="2"/>')
+        svg.append(f'<text x="{right + 44}" y="{y}">{escape(name)}</text>')
+    svg.append(f'<text x="{(left + right) / 2}" y="{HEIGHT - 16}" text-anchor="middle">{escape(x_label)}</text>')
+    middle = (TOP + bottom) / 2
+    svg.append(f'<text x="22" y="{middle}" text-anchor="middle" transform="rotate(-90 22 {middle})">{escape(y_label)}</text>')
+    return "\n".join(svg + ["</svg>"]) + "\n"
