@@ -320,6 +320,7 @@ void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met
   for (size_t t = 0; t < tracks_.size(); ++t) {
     Track& track = tracks_[t];
     track.object.misses += missed[t];
+    track.missed += missed[t];
     if (track.object.misses >= options_.forget_after_misses) {
       publish(&track);
       if (!track.yields_to) report->forgotten.push_back(track.object);

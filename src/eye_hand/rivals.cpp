@@ -37,7 +37,8 @@ void ObjectMap::believe() {
   const auto rank = [this](const Track* track) {
     const MappedObject& o = track->object;
     const bool obstacle = models_->objects[size_t(o.object)].handling.obstacle;
-    return std::make_tuple(!obstacle, -o.views, o.misses, -o.last_stamp, -track->merged.probability);
+    return std::make_tuple(!obstacle, track->missed - o.views, o.misses, -o.last_stamp,
+                           -track->merged.probability);
   };
   std::stable_sort(ranked.begin(), ranked.end(),
                    [&](const Track* a, const Track* b) { return rank(a) < rank(b); });

@@ -5,7 +5,9 @@
 namespace monocular_eye_hand {
 
 void ClearFrameTask::learn(const TaskLook& seen) {
-  map_ = seen.objects;
+  map_.clear();
+  for (const MappedObject& object : seen.objects)
+    if (object.misses < options_.doubtful_misses) map_.push_back(object);
   learnFrame();
   for (const MappedObject& object : map_) {
     if (object.object < 0 || object.object >= int(models_->objects.size()))

@@ -19,6 +19,7 @@ void ClearFrameOptions::check() const {
   requireAtLeast("frame_margin", frame_margin, 0);
   requireAtLeast("overviews", overviews, 1);
   requireAtLeast("overviews_again", overviews_again, 1);
+  requireAtLeast("doubtful_misses", doubtful_misses, 1);
   requireAtLeast("confirm_views", confirm_views, 1);
   requireAtLeast("look_attempts", look_attempts, 1);
   requireAtLeast("near_looks", near_looks, 1);

@@ -100,12 +100,14 @@ TEST(ObjectMap, WhatShouldHaveBeenSeenIsForgotten) {
   ViewReport report = map.add(view(2, kRight, kTarget, {{kBridge, a}}));
   EXPECT_TRUE(report.forgotten.empty());
   EXPECT_EQ(map.objects()[1].misses, 1);
-  report = map.add(view(3, kFar, kTarget, {{kBridge, a}}));
+  for (const auto& [stamp, eye] : {std::pair(3, kNear), std::pair(4, kLeft), std::pair(5, kFar)})
+    EXPECT_TRUE(map.add(view(stamp, eye, kTarget, {{kBridge, a}})).forgotten.empty());
+  report = map.add(view(6, kRight, kTarget, {{kBridge, a}}));
   ASSERT_EQ(report.forgotten.size(), 1u);
   EXPECT_EQ(report.forgotten[0].number, 1);
   ASSERT_EQ(map.objects().size(), 1u);
   // Its number is not given to another one.
-  report = map.add(view(4, kNear, kTarget, {{kBridge, a}, {kBridge, b}}));
+  report = map.add(view(7, kNear, kTarget, {{kBridge, a}, {kBridge, b}}));
   EXPECT_EQ(report.decisions[1].number, 2);
 }
 

@@ -179,7 +179,10 @@ class TestEyeHand(unittest.TestCase):
         self.assertEqual([one.instance for one in array.objects], [0, 1])
         array = self.use([("bridge", other)])
         self.assertEqual([one.misses for one in array.objects], [1, 0])
-        array = self.use([("bridge", other)])  # both views should have shown it
+        for misses in (2, 3, 4):
+            array = self.use([("bridge", other)])
+            self.assertEqual([one.misses for one in array.objects], [misses, 0])
+        array = self.use([("bridge", other)])  # the fifth view that should have shown it
         self.assertEqual([one.instance for one in array.objects], [1])
 
     def test_cut_search_misses_nothing(self):

@@ -30,7 +30,7 @@ struct ObjectMapOptions {
   double min_turn = 0.03;        ///< ... unless the camera turned by this [rad]: they are not averaged
   int most_views = 200;          ///< merged per object; more tell nothing new
   double overlap_depth = 0.004;  ///< two objects that reach into each other deeper are not both there [m]
-  int forget_after_misses = 2;   ///< views that should have shown an object and did not
+  int forget_after_misses = 5;   ///< views in a row that should have shown an object and did not
   double expected_share = 0.7;   ///< of an object must be in view and free for that ...
   double expected_size = 40;     ///< ... at this size in the image at least [px] ...
   double expected_border = 5;    ///< ... this far from the image's border [px]
@@ -153,6 +153,7 @@ class ObjectMap {
     std::vector<Sighting> outliers;         // in a row, agreeing with each other
     std::vector<Key> rivals;                // cannot be there together with it
     std::optional<Key> yields_to;           // the rival that is believed instead
+    int missed = 0;                         // views in all that should have shown it and did not
     Key key() const { return {object.object, object.number}; }
   };
   void addFloor(Matrix6d* covariance) const;

@@ -18,6 +18,7 @@ struct ClearFrameOptions {
   int overviews_again = 1;      ///< the same in every further round
   int searches = 4;             ///< nearer views of the frame before it counts as cleared
   int look_attempts = 3;        ///< a view that fails so often in a row ends the task
+  int doubtful_misses = 2;      ///< views in a row that did not show an object: it does not count any more
   int confirm_views = 2;        ///< an object that so many views agree on is picked without a near look
   int near_looks = 3;           ///< per object and round, until its pose is sure enough
   int confirm_attempts = 2;     ///< near looks that do not show an object before it is given up
@@ -30,7 +31,7 @@ struct ClearFrameOptions {
   template <class Visitor>
   void visit(Visitor&& v) {
     v("frame", frame), v("frame_margin", frame_margin), v("overviews", overviews);
-    v("overviews_again", overviews_again), v("searches", searches);
+    v("overviews_again", overviews_again), v("searches", searches), v("doubtful_misses", doubtful_misses);
     v("look_attempts", look_attempts), v("confirm_views", confirm_views), v("near_looks", near_looks),
         v("confirm_attempts", confirm_attempts);
     v("blocked_rounds", blocked_rounds);
