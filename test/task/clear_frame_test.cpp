@@ -195,6 +195,17 @@ TEST(ClearFrame, WhatOnlyASearchShowsIsCarriedOutToo) {
   EXPECT_EQ(std::count(world.log.begin(), world.log.end(), "search"), 5);  // the one, and four after it
 }
 
+TEST(ClearFrame, WhatViewsMissedIsLeftToTheMap) {
+  ClearFrameOptions options;
+  for (int misses = 0; misses <= options.doubtful_misses; ++misses) {
+    World world;
+    world.put(kBridge, 0, at(0.5, 0)).object.misses = misses;
+    const TaskResult result = ClearFrameTask(&kModels, &world, options).run();
+    EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << misses;
+    EXPECT_EQ(world.motions > 0, misses < options.doubtful_misses) << misses;
+  }
+}
+
 TEST(ClearFrame, WhatWasGivenUpIsTriedAgainWhenSomethingWasCarriedOut) {
   World world;
   world.put(kBridge, 0, at(0.5, 0)).hidden_from_near = true;
