@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
@@ -61,8 +62,7 @@ Eigen::MatrixXd seenMotions(const ObjectModel& model, const Rigid3& pose) {
   }
   const int n = int(turns.rows());
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(3 + n, 6);
-  motions.topLeftCorner(3, 3).setIdentity();
-  motions.topRightCorner(3, 3) = -skew(pose * centre - pose.translation);
+  motions.topRows(3) = motionAtOffset(pose * centre - pose.translation).topRows(3);
   motions.bottomRightCorner(n, 3) = turns;
   return motions;
 }

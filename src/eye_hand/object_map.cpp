@@ -140,10 +140,10 @@ ObjectMap::Sighting ObjectMap::equalSighting(const Sighting& sighting, const Rig
   return equal;
 }
 
-double ObjectMap::centreDistance(const Sighting& a, const Sighting& b) const {
+Eigen::Vector3d ObjectMap::centreOffset(const Sighting& a, const Sighting& b) const {
   const Eigen::Vector3d centre = model(a.object).centre();
   const Sighting equal = equalSighting(b, a.base_from_object);
-  return (a.base_from_object * centre - equal.base_from_object * centre).norm();
+  return equal.base_from_object * centre - a.base_from_object * centre;
 }
 
 double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
@@ -159,13 +159,10 @@ double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
 }
 
 bool ObjectMap::samePlace(const Sighting& a, const Sighting& b) const {
-  const Eigen::Vector3d sides = model(a.object).bounds.sizes();
+  const Eigen::Vector3d sides = model(a.object).bounds.sizes(), apart = centreOffset(a, b);
   if (!models_->objects[size_t(a.object)].handling.obstacle)
-    return centreDistance(a, b) <= options_.same_place * sides.minCoeff();
+    return apart.norm() <= options_.same_place * sides.minCoeff();
   // What things lie in is hollow: another of its size would have to go through its walls.
-  const Eigen::Vector3d centre = model(a.object).centre();
-  const Eigen::Vector3d apart =
-      equalSighting(b, a.base_from_object).base_from_object * centre - a.base_from_object * centre;
   const Eigen::Vector3d along = a.base_from_object.rotation.transpose() * apart;
   return (along.cwiseAbs().array() <= options_.same_place * sides.array()).all();
 }
@@ -181,7 +178,7 @@ std::vector<int> ObjectMap::associate(const std::vector<Sighting>& sightings,
       const double chi_square = chiSquare(known, sightings[k]);
       const bool outside = !(chi_square <= options_.gate);
       if (samePlace(known, sightings[k]) ||
-          (!outside && centreDistance(known, sightings[k]) <= options_.max_distance))
+          (!outside && centreOffset(known, sightings[k]).norm() <= options_.max_distance))
         pairs.emplace_back(outside, chi_square, t, k);
     }
   }

@@ -161,7 +161,7 @@ class ObjectMap {
   Sighting equalSighting(const Sighting& sighting, const Rigid3& wanted) const;
   const ObjectModel& model(int object) const { return models_->objects[size_t(object)].model; }
   double chiSquare(const Sighting& a, const Sighting& b) const;
-  double centreDistance(const Sighting& a, const Sighting& b) const;
+  Eigen::Vector3d centreOffset(const Sighting& a, const Sighting& b) const;  // from a to b, base axes [m]
   bool samePlace(const Sighting& a, const Sighting& b) const;
   std::vector<int> associate(const std::vector<Sighting>& sightings, std::vector<double>* chi_squares) const;
   ViewDecision meet(Track* track, const Sighting& sighting, double chi_square, double stamp) const;
