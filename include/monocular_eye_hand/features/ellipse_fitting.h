@@ -22,12 +22,18 @@ struct EllipseFit {
 /// Direct least squares fit (Halir and Flusser 1998).
 EllipseFit fitEllipseDirect(const FitPoints& points);
 
+/// What a fit has to reach; one that is far from it after its start or its first step is not finished.
+struct FitGoal {
+  double rms = std::numeric_limits<double>::infinity();  ///< [px]
+  double chi2 = std::numeric_limits<double>::infinity();
+};
+
 /// Gauss-Newton on the approximate distance F / |grad F| (Sampson 1982) with inverse variances and Tukey
 /// weights, started from `start`. Blur moves the steepest point of a curved edge inwards by blur^2 / (2
-/// radius of curvature); points are moved back by that amount. A start that misses the points by more than
-/// `give_up_rms` [px] is returned as it is.
+/// radius of curvature); points are moved back by that amount. A fit without hope for `goal` is returned as
+/// far as it came.
 EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iterations,
-                         double give_up_rms = std::numeric_limits<double>::infinity());
+                         const FitGoal& goal = {});
 
 /// Covariance of (centre u, centre v, a, b, angle) [px, rad] of a valid refined fit, for independent points.
 Eigen::Matrix<double, 5, 5> covarianceOf(const EllipseFit& fit);
