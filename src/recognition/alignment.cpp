@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "monocular_eye_hand/model/contour.h"
 #include "monocular_eye_hand/recognition/feature_refinement.h"
@@ -32,51 +31,49 @@ bool plausibleStep(const RefinedPose& refined) {
          refined.camera_from_object.translation.z() > 0;
 }
 
-// Contour samples under a pose with the edge points that answer them, and the samples' features.
-struct ContourMatches {
-  std::vector<LineMatch> lines;
-  std::vector<int> groups, edge_points;
+// A contour sample under a pose and the edge point that answers it.
+struct ContourMatch {
+  FeatureSample sample;
+  int edge_point;
+  double depth;  // in the camera frame [m]
 };
-ContourMatches matchContour(const SearchModel& model, const Camera& camera, const RectDomain& domain,
-                            const EdgeRaster& raster, const Rigid3& pose, double range, double step) {
-  ContourMatches matches;
+std::vector<ContourMatch> matchContour(const SearchModel& model, const Camera& camera,
+                                       const RectDomain& domain, const EdgeRaster& raster, const Rigid3& pose,
+                                       double range, double step) {
+  std::vector<ContourMatch> matches;
   for (const SeenSample& s : projectContour(model.model(), pose, camera, domain, step)) {
     if (!s.inside) continue;
     const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
     const int found = raster.find(s.uv, normal, range);
     if (found < 0) continue;
     const EdgePoint& point = raster.point(found);
-    matches.lines.push_back({s.p_in_object, point.uv.cast<double>(), normal,
-                             std::max({kMinSigma, double(point.sigma), range / 3})});
-    matches.groups.push_back(s.group);
-    matches.edge_points.push_back(found);
+    FeatureSample sample;
+    sample.line = {s.p_in_object, point.uv.cast<double>(), normal,
+                   std::max({kMinSigma, double(point.sigma), range / 3})};
+    sample.feature = s.group;
+    const double across = s.direction.dot(point.normal.cast<double>());
+    sample.look = {point.blur, std::asin(std::clamp(across, -1.0, 1.0))};
+    matches.push_back({sample, found, (pose * s.p_in_object).z()});
   }
   return matches;
 }
 
 // Where two features answer to one image edge, as the front and the back rim of a face seen straight on do,
 // the nearer one is what the image shows; counted twice the edge would seem to fix the tilt.
-ContourMatches withoutDoubles(const ContourMatches& all, const Rigid3& pose) {
+std::vector<FeatureSample> withoutDoubles(std::vector<ContourMatch> matches) {
   constexpr int kNear = 2;  // edge points apart along their trace
-  std::vector<size_t> order(all.lines.size());
-  std::iota(order.begin(), order.end(), size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t i, size_t j) { return all.edge_points[i] < all.edge_points[j]; });
-  const auto depth = [&](size_t i) { return (pose * all.lines[i].p_in_object).z(); };
-  std::vector<char> behind(all.lines.size(), 0);
-  for (size_t a = 0; a < order.size(); ++a)
-    for (size_t b = a + 1; b < order.size(); ++b) {
-      const size_t i = order[a], j = order[b];
-      if (all.edge_points[j] - all.edge_points[i] > kNear) break;
-      if (all.groups[i] != all.groups[j]) behind[depth(i) > depth(j) ? i : j] = 1;
+  std::stable_sort(matches.begin(), matches.end(),
+                   [](const ContourMatch& a, const ContourMatch& b) { return a.edge_point < b.edge_point; });
+  std::vector<char> behind(matches.size(), 0);
+  for (size_t i = 0; i < matches.size(); ++i)
+    for (size_t j = i + 1; j < matches.size(); ++j) {
+      if (matches[j].edge_point - matches[i].edge_point > kNear) break;
+      if (matches[i].sample.feature != matches[j].sample.feature)
+        behind[matches[i].depth > matches[j].depth ? i : j] = 1;
     }
-  ContourMatches single;
-  for (size_t i = 0; i < all.lines.size(); ++i) {
-    if (behind[i]) continue;
-    single.lines.push_back(all.lines[i]);
-    single.groups.push_back(all.groups[i]);
-    single.edge_points.push_back(all.edge_points[i]);
-  }
+  std::vector<FeatureSample> single;
+  for (size_t i = 0; i < matches.size(); ++i)
+    if (!behind[i]) single.push_back(matches[i].sample);
   return single;
 }
 
@@ -149,12 +146,14 @@ RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const Re
   RefinedPose best;
   best.camera_from_object = start;
   for (size_t round = 0; round < ranges.size(); ++round) {
-    const ContourMatches found =
-        matchContour(model, camera, domain, raster, best.camera_from_object, ranges[round], step);
-    if (found.lines.size() < kMinMatches) return best;
+    std::vector<LineMatch> lines;
+    for (const ContourMatch& m :
+         matchContour(model, camera, domain, raster, best.camera_from_object, ranges[round], step))
+      lines.push_back(m.sample.line);
+    if (lines.size() < kMinMatches) return best;
     RefineOptions options;
     options.max_iterations = round + 1 == ranges.size() ? 6 : 3;
-    const RefinedPose refined = refinePose(best.camera_from_object, camera, found.lines, {}, options, axis);
+    const RefinedPose refined = refinePose(best.camera_from_object, camera, lines, {}, options, axis);
     if (!plausibleStep(refined)) return best;
     best = refined;
   }
@@ -168,10 +167,10 @@ RefinedPose alignByFeatures(const SearchModel& model, const Camera& camera, cons
   best.camera_from_object = start;
   for (int round = 0; round < kFeatureRounds; ++round) {
     const Rigid3& pose = best.camera_from_object;
-    const ContourMatches found =
-        withoutDoubles(matchContour(model, camera, domain, raster, pose, range, step), pose);
-    if (found.lines.size() < kMinMatches) break;
-    const RefinedPose refined = refineByFeatures(pose, camera, found.lines, found.groups, axis);
+    const std::vector<FeatureSample> samples =
+        withoutDoubles(matchContour(model, camera, domain, raster, pose, range, step));
+    if (samples.size() < kMinMatches) break;
+    const RefinedPose refined = refineByFeatures(pose, camera, samples, axis);
     if (!plausibleStep(refined)) break;
     best = refined;
   }

@@ -9,45 +9,51 @@
 namespace monocular_eye_hand {
 namespace {
 
-// Typical errors of a feature as a whole and of a sample by itself: what is known before anything is seen,
-// and how many observations this knowledge is worth. At first in pixels, then as shares of the residuals' own
-// spread.
-struct Typical {
-  double common, sample;
-};
-constexpr Typical kBefore{0.05, 0.07}, kShares{0.5, 0.7};
-constexpr double kCommonWorth = 1, kSampleWorth = 4;
+// How many observations it is worth what is known of a feature's errors before anything is seen.
+constexpr double kCommonWorth = 4, kSampleWorth = 4;
+constexpr double kSampleError = 0.04;  // of a sample by itself, at first [px]
+constexpr double kTurned = 0.6;        // displacement at an edge's ends by its turn, over that of the whole
 constexpr double kLeastSpread = 0.03;  // [px]
 constexpr double kCorrelation = 3;     // neighbouring samples err alike: so many count as one
 constexpr double kOutlier = 1.5;       // residuals beyond this belong to something else [px]
-constexpr int kIterations = 12;        // of each of the two rounds
+constexpr int kIterations = 12;
 // What is known of a pose without any feature [m, rad]: keeps the inverse finite.
 constexpr double kPriorMetres = 1.0, kPriorRadians = 1.8;
 constexpr double kHeld = 1e9;  // information about a free axis while it is held
 
+// Where the residuals spread farther than of a true model in a sharp image, every feature may be displaced by
+// so much of the excess.
+constexpr double kUsualSpread = 0.1, kExcessShare = 0.8;  // [px]
 // What a pose that has locked to wrong edges does not know of itself grows with the residuals' spread:
 // measured, the covariance has to be as many times wider as the spread is than this [px].
-constexpr double kHonestSpread = 0.07;
+constexpr double kHonestSpread = 0.09;
 
 struct Sample {
   Eigen::Vector2d uv;
   double residual;  // [px]
   Vector6d derivative;
+  EdgeLook look;
 };
 
 // The samples of one feature: residual + derivative^T motion = basis^T common + independent error, where
-// basis = (1, place along the feature in -1 .. 1).
+// basis = (1, place along the feature, place across it), places within -kTurned .. kTurned. A straight edge
+// is displaced or turned, a circle grows or is displaced.
 class Feature {
  public:
-  explicit Feature(const std::vector<Sample>& samples) : samples_(double(samples.size())) {
+  Feature(const std::vector<Sample>& samples, double expected_offset)
+      : samples_(double(samples.size())),
+        expected_common_(expected_offset * expected_offset),
+        common_variance_(expected_common_) {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const Sample& s : samples) mean += s.uv / samples_;
     const Eigen::Vector2d along = direction(samples, mean);
+    const Eigen::Vector2d across(-along.y(), along.x());
     double reach = 0;
     for (const Sample& s : samples) reach = std::max(reach, std::abs(along.dot(s.uv - mean)));
-    const double scale = samples.size() < 3 || !(reach > 0) ? 0 : 1 / reach;
+    const double scale = samples.size() < 3 || !(reach > 0) ? 0 : kTurned / reach;
     for (const Sample& s : samples) {
-      const Eigen::Vector2d basis(1, scale * along.dot(s.uv - mean));
+      const Eigen::Vector2d place = s.uv - mean;
+      const Eigen::Vector3d basis(1, scale * along.dot(place), scale * across.dot(place));
       jj_ += s.derivative * s.derivative.transpose();
       jb_ += s.derivative * basis.transpose();
       jr_ += s.derivative * s.residual;
@@ -57,18 +63,19 @@ class Feature {
     }
   }
 
-  void start(const Typical& typical) {
-    typical_ = {typical.common * typical.common, typical.sample * typical.sample};
-    common_variance_ = typical_.common;
-    sample_variance_ = typical_.sample;
+  // Begins anew with an offset to be expected beside the present one [px].
+  void expectMore(double offset) {
+    expected_common_ += offset * offset;
+    common_variance_ = expected_common_;
+    sample_variance_ = kSampleError * kSampleError;
   }
 
   // Adds J^T W J and J^T W r, W the inverse covariance of the samples' errors.
   void addTo(Matrix6d* information, Vector6d* gradient) {
     const double weight = 1 / (kCorrelation * sample_variance_);
     common_covariance_ =
-        (Eigen::Matrix2d::Identity() / common_variance_ + weight * bb_).inverse();  // given the motion
-    const Eigen::Matrix<double, 6, 2> shared = weight * weight * jb_ * common_covariance_;
+        (Eigen::Matrix3d::Identity() / common_variance_ + weight * bb_).inverse();  // given the motion
+    const Eigen::Matrix<double, 6, 3> shared = weight * weight * jb_ * common_covariance_;
     *information += weight * jj_ - shared * jb_.transpose();
     *gradient += weight * jr_ - shared * br_;
   }
@@ -76,18 +83,18 @@ class Feature {
   // The most likely sizes of the errors, given what addTo() was asked for: a motion and its covariance.
   void estimate(const Vector6d& motion, const Matrix6d& covariance) {
     const double weight = 1 / (kCorrelation * sample_variance_);
-    const Eigen::Matrix<double, 2, 6> follows = weight * common_covariance_ * jb_.transpose();
-    const Eigen::Vector2d common = weight * common_covariance_ * br_ + follows * motion;
+    const Eigen::Matrix<double, 3, 6> follows = weight * common_covariance_ * jb_.transpose();
+    const Eigen::Vector3d common = weight * common_covariance_ * br_ + follows * motion;
     // Expectations of common common^T and of the squared independent errors.
-    const Eigen::Matrix2d second =
+    const Eigen::Matrix3d second =
         common * common.transpose() + common_covariance_ + follows * covariance * follows.transpose();
     const Matrix6d moved = jj_ - 2 * jb_ * follows + follows.transpose() * bb_ * follows;
     const double independent = squares(motion) - 2 * common.dot(br_ + jb_.transpose() * motion) +
                                common.dot(bb_ * common) + (bb_ * common_covariance_).trace() +
                                (moved * covariance).trace();
-    common_variance_ = (kCommonWorth * typical_.common + second.trace()) / (kCommonWorth + 2);
+    common_variance_ = (kCommonWorth * expected_common_ + second.trace()) / (kCommonWorth + 3);
     sample_variance_ =
-        (kSampleWorth * typical_.sample + std::max(0.0, independent)) / (kSampleWorth + samples_);
+        (kSampleWorth * kSampleError * kSampleError + std::max(0.0, independent)) / (kSampleWorth + samples_);
   }
 
   // Sum of squared residuals after the motion [px^2].
@@ -106,28 +113,45 @@ class Feature {
 
   double samples_;
   Matrix6d jj_ = Matrix6d::Zero();
-  Eigen::Matrix<double, 6, 2> jb_ = Eigen::Matrix<double, 6, 2>::Zero();
+  Eigen::Matrix<double, 6, 3> jb_ = Eigen::Matrix<double, 6, 3>::Zero();
   Vector6d jr_ = Vector6d::Zero();
-  Eigen::Matrix2d bb_ = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d br_ = Eigen::Vector2d::Zero();
+  Eigen::Matrix3d bb_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d br_ = Eigen::Vector3d::Zero();
   double rr_ = 0;
-  Typical typical_{};  // as variances
-  double common_variance_ = 0, sample_variance_ = 0;
-  Eigen::Matrix2d common_covariance_ = Eigen::Matrix2d::Zero();
+  double expected_common_, common_variance_, sample_variance_ = kSampleError * kSampleError;  // [px^2]
+  Eigen::Matrix3d common_covariance_ = Eigen::Matrix3d::Zero();
 };
 
 using SamplesByFeature = std::map<int, std::vector<Sample>>;
 SamplesByFeature usableSamples(const Rigid3& pose, const Camera& camera,
-                               const std::vector<LineMatch>& matches, const std::vector<int>& groups) {
-  SamplesByFeature samples;
-  for (size_t i = 0; i < matches.size(); ++i) {
+                               const std::vector<FeatureSample>& all) {
+  SamplesByFeature usable;
+  for (const FeatureSample& given : all) {
     Sample sample;
-    sample.uv = matches[i].uv;
-    sample.residual = lineResidual(pose, camera, matches[i], &sample.derivative);
+    sample.uv = given.line.uv;
+    sample.look = given.look;
+    sample.residual = lineResidual(pose, camera, given.line, &sample.derivative);
     if (std::abs(sample.residual) < kOutlier && sample.derivative.allFinite())
-      samples[groups[i]].push_back(sample);
+      usable[given.feature].push_back(sample);
   }
-  return samples;
+  return usable;
+}
+
+std::vector<EdgeLook> looksOf(const std::vector<Sample>& samples) {
+  std::vector<EdgeLook> looks;
+  for (const Sample& s : samples) looks.push_back(s.look);
+  return looks;
+}
+
+std::vector<Feature> featuresOf(const SamplesByFeature& samples) {
+  std::vector<EdgeLook> all;
+  for (const auto& [number, of_feature] : samples)
+    for (const Sample& s : of_feature) all.push_back(s.look);
+  const EdgeProfiles profiles(all);
+  std::vector<Feature> features;
+  for (const auto& [number, of_feature] : samples)
+    features.emplace_back(of_feature, profiles.expectedOffset(looksOf(of_feature)));
+  return features;
 }
 
 // Robust standard deviation of the residuals after a motion [px].
@@ -154,11 +178,10 @@ struct Estimate {
   Vector6d motion = Vector6d::Zero();
   Matrix6d covariance = Matrix6d::Identity();
 };
-Estimate maximizeExpectation(const Typical& typical, const Vector6d& turn, std::vector<Feature>* features) {
+Estimate maximizeExpectation(const Vector6d& turn, std::vector<Feature>* features) {
   Vector6d prior;
   prior << Eigen::Vector3d::Constant(1 / (kPriorMetres * kPriorMetres)),
       Eigen::Vector3d::Constant(1 / (kPriorRadians * kPriorRadians));
-  for (Feature& feature : *features) feature.start(typical);
   Estimate estimate;
   for (int i = 0; i <= kIterations; ++i) {
     if (i > 0)
@@ -175,27 +198,30 @@ Estimate maximizeExpectation(const Typical& typical, const Vector6d& turn, std::
 
 }  // namespace
 
-RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera, const std::vector<LineMatch>& matches,
-                             const std::vector<int>& groups, const FreeAxis& axis) {
+RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera,
+                             const std::vector<FeatureSample>& samples, const FreeAxis& axis) {
   RefinedPose refined;
   refined.camera_from_object = start;
-  const SamplesByFeature samples = usableSamples(start, camera, matches, groups);
-  if (samples.empty()) return refined;
-  std::vector<Feature> features;
-  for (const auto& [group, of_feature] : samples) features.emplace_back(of_feature);
+  const SamplesByFeature usable = usableSamples(start, camera, samples);
+  if (usable.empty()) return refined;
+  std::vector<Feature> features = featuresOf(usable);
   const Vector6d turn = freeTurn(start, axis);
-  Estimate estimate = maximizeExpectation(kBefore, turn, &features);
-  const double before = spread(samples, estimate.motion);
-  estimate = maximizeExpectation({kShares.common * before, kShares.sample * before}, turn, &features);
-  const Matrix6d covariance =
-      before / kHonestSpread * estimate.covariance + M_PI * M_PI / 3 * turn * turn.transpose();
+  Estimate estimate = maximizeExpectation(turn, &features);
+  const double first_spread = spread(usable, estimate.motion);
+  if (first_spread > kUsualSpread) {
+    for (Feature& f : features)
+      f.expectMore(kExcessShare * std::sqrt(first_spread * first_spread - kUsualSpread * kUsualSpread));
+    estimate = maximizeExpectation(turn, &features);
+  }
+  const Matrix6d covariance = spread(usable, estimate.motion) / kHonestSpread * estimate.covariance +
+                              M_PI * M_PI / 3 * turn * turn.transpose();
   if (!estimate.motion.allFinite() || !covariance.allFinite()) return refined;
   refined.camera_from_object = perturbed(start, estimate.motion);
   refined.covariance = 0.5 * (covariance + covariance.transpose());
   double squares = 0;
   for (const Feature& f : features) squares += f.squares(estimate.motion), refined.inliers += f.samples();
   refined.rms = std::sqrt(std::max(0.0, squares) / refined.inliers);
-  refined.iterations = 2 * kIterations;
+  refined.iterations = kIterations * (first_spread > kUsualSpread ? 2 : 1);
   refined.converged = refined.well_posed = true;
   return refined;
 }

@@ -39,25 +39,26 @@ struct Contour {
         const Eigen::Vector2d d = camera().project(truth() * b) - camera().project(truth() * a);
         for (int i = 0; i < per_edge; ++i) {
           const Eigen::Vector3d p = a + (i + 0.5) / per_edge * (b - a);
-          matches.push_back(
-              {p, camera().project(truth() * p), Eigen::Vector2d(-d.y(), d.x()).normalized(), 0.3});
-          groups.push_back(group);
+          FeatureSample sample;
+          sample.line = {p, camera().project(truth() * p), Eigen::Vector2d(-d.y(), d.x()).normalized(), 0.3};
+          sample.feature = group;
+          sample.look.blur = 1.1;
+          samples.push_back(sample);
         }
       }
   }
   // Moves a feature's edge across itself: by `offset` in its middle, more by `slope` at its end [px].
   void displace(int feature, double offset, double slope = 0) {
     for (int i = 0; i < per_edge; ++i) {
-      LineMatch& match = matches[size_t(feature * per_edge + i)];
+      LineMatch& match = samples[size_t(feature * per_edge + i)].line;
       match.uv += (offset + slope * ((2.0 * i + 1) / per_edge - 1)) * match.normal;
     }
   }
   RefinedPose refined(const Rigid3& start, const FreeAxis& axis = {}) const {
-    return refineByFeatures(start, camera(), matches, groups, axis);
+    return refineByFeatures(start, camera(), samples, axis);
   }
   int per_edge;
-  std::vector<LineMatch> matches;
-  std::vector<int> groups;
+  std::vector<FeatureSample> samples;
 };
 
 double distance(const Rigid3& a, const Rigid3& b) { return difference(a, b).norm(); }
@@ -103,10 +104,25 @@ TEST(FeatureRefinement, a_feature_that_disagrees_counts_little) {
     const RefinedPose refined = contour.refined(truth());
     RefineOptions alike;
     alike.robust_scale = 0;
-    const RefinedPose plain = refinePose(truth(), camera(), contour.matches, {}, alike);
+    std::vector<LineMatch> lines;
+    for (const FeatureSample& sample : contour.samples) lines.push_back(sample.line);
+    const RefinedPose plain = refinePose(truth(), camera(), lines, {}, alike);
     EXPECT_LT(distance(refined.camera_from_object, truth()),
               0.25 * distance(plain.camera_from_object, truth()))
         << feature;
+  }
+}
+
+TEST(FeatureRefinement, an_edge_whose_profile_is_no_clean_step_counts_little) {
+  for (double blur : {0.9, 1.3}) {
+    Contour clean(20), doubtful(20);
+    for (Contour* contour : {&clean, &doubtful}) contour->displace(0, 0.3);
+    for (int i = 0; i < 20; ++i) doubtful.samples[size_t(i)].look.blur = blur;
+    EXPECT_LT(distance(doubtful.refined(truth()).camera_from_object, truth()),
+              0.5 * distance(clean.refined(truth()).camera_from_object, truth()))
+        << blur;
+    EXPECT_GT(doubtful.refined(truth()).covariance.trace(),
+              1.02 * Contour(20).refined(truth()).covariance.trace());
   }
 }
 
@@ -126,7 +142,7 @@ TEST(FeatureRefinement, errors_common_to_a_feature_lie_within_the_covariance) {
     Contour contour(20);
     for (int feature = 0; feature < kFeatures; ++feature)
       contour.displace(feature, 0.1 * normal(random), 0.1 * normal(random));
-    for (LineMatch& match : contour.matches) match.uv += 0.1 * normal(random) * match.normal;
+    for (FeatureSample& sample : contour.samples) sample.line.uv += 0.1 * normal(random) * sample.line.normal;
     const RefinedPose refined = contour.refined(truth());
     const Vector6d error = difference(truth(), refined.camera_from_object);
     mean += error.dot(refined.covariance.ldlt().solve(error)) / kDraws;
@@ -139,10 +155,9 @@ TEST(FeatureRefinement, outliers_say_nothing) {
   Contour contour(20);
   const RefinedPose clean = contour.refined(nearTruth());
   for (int i = 0; i < 50; ++i) {
-    LineMatch far = contour.matches[size_t(i)];
-    far.uv += 30 * far.normal;
-    contour.matches.push_back(far);
-    contour.groups.push_back(contour.groups[size_t(i)]);
+    FeatureSample far = contour.samples[size_t(i)];
+    far.line.uv += 30 * far.line.normal;
+    contour.samples.push_back(far);
   }
   const RefinedPose same = contour.refined(nearTruth());
   EXPECT_LT(distance(same.camera_from_object, clean.camera_from_object), 1e-12);
@@ -150,9 +165,9 @@ TEST(FeatureRefinement, outliers_say_nothing) {
 }
 
 TEST(FeatureRefinement, without_usable_samples_it_is_not_well_posed) {
-  EXPECT_FALSE(refineByFeatures(truth(), camera(), {}, {}, {}).well_posed);
+  EXPECT_FALSE(refineByFeatures(truth(), camera(), {}, {}).well_posed);
   Contour contour(5);
-  for (LineMatch& match : contour.matches) match.uv.setConstant(std::nan(""));
+  for (FeatureSample& sample : contour.samples) sample.line.uv.setConstant(std::nan(""));
   const RefinedPose refined = contour.refined(truth());
   EXPECT_FALSE(refined.well_posed);
   EXPECT_LT(distance(refined.camera_from_object, truth()), 1e-15);

@@ -1,0 +1,51 @@
+#include "monocular_eye_hand/recognition/edge_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace monocular_eye_hand {
+namespace {
+
+// Measured on 8700 edges of 700 rendered poses of five parts: of clean edges two thirds lie within the first,
+// of others within so many times what their blur departs from the clean one, or what their direction turns.
+constexpr double kLeastOffset = 0.02;  // px
+constexpr double kOffsetPerBlur = 2.2;
+constexpr double kOffsetPerTurn = 2.3;               // px per radian
+constexpr double kUsualTurn = 1.5 * M_PI / 180;      // scatter of single points' directions
+constexpr double kShare = 0.25, kLeastWidth = 0.02;  // of the looks in the interval, and its width [px]
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+EdgeProfiles::EdgeProfiles(const std::vector<EdgeLook>& looks) {
+  std::vector<double> blurs;
+  for (const EdgeLook& look : looks) blurs.push_back(look.blur);
+  std::sort(blurs.begin(), blurs.end());
+  if (blurs.empty()) return;
+  const size_t inside = std::min(blurs.size(), std::max<size_t>(2, size_t(kShare * double(blurs.size()))));
+  size_t best = 0;
+  for (size_t i = 0; i + inside <= blurs.size(); ++i)
+    if (blurs[i + inside - 1] - blurs[i] < blurs[best + inside - 1] - blurs[best]) best = i;
+  clean_blur_ = 0.5 * (blurs[best] + blurs[best + inside - 1]);
+  half_width_ = 0.5 * std::max(kLeastWidth, blurs[best + inside - 1] - blurs[best]);
+}
+
+double EdgeProfiles::expectedOffset(const std::vector<EdgeLook>& edge) const {
+  std::vector<double> blurs, turns;
+  for (const EdgeLook& look : edge) {
+    blurs.push_back(look.blur);
+    turns.push_back(std::abs(look.turn));
+  }
+  if (edge.empty()) return kLeastOffset;
+  const double departure = std::max(0.0, std::abs(median(blurs) - clean_blur_) - half_width_);
+  const double turn = std::max(0.0, median(turns) - kUsualTurn);
+  return std::hypot(kLeastOffset, kOffsetPerBlur * departure, kOffsetPerTurn * turn);
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,58 @@
+#include "monocular_eye_hand/recognition/edge_profile.h"
+
+#include <gtest/gtest.h>
+
+namespace monocular_eye_hand {
+namespace {
+
+// Ten clean edges of blur 1.1 and four others, ten points each.
+std::vector<EdgeLook> part() {
+  std::vector<EdgeLook> looks;
+  for (int edge = 0; edge < 14; ++edge)
+    for (int i = 0; i < 10; ++i)
+      looks.push_back({edge < 10 ? 1.1 + 0.002 * (i - 4.5) : 0.8 + 0.3 * (edge - 10), 0.0});
+  return looks;
+}
+std::vector<EdgeLook> edge(double blur, double turn = 0) { return std::vector<EdgeLook>(5, {blur, turn}); }
+
+TEST(EdgeProfiles, clean_is_what_most_edges_share) {
+  EXPECT_NEAR(EdgeProfiles(part()).cleanBlur(), 1.1, 0.01);
+}
+
+TEST(EdgeProfiles, the_farther_from_clean_the_farther_off) {
+  const EdgeProfiles profiles(part());
+  EXPECT_LT(profiles.expectedOffset(edge(1.1)), 0.03);
+  double last_wide = 0, last_narrow = 0;
+  for (double step : {0.0, 0.05, 0.1, 0.2, 0.4}) {
+    const double wide = profiles.expectedOffset(edge(1.1 + step)),
+                 narrow = profiles.expectedOffset(edge(1.1 - step));
+    EXPECT_NEAR(wide, narrow, 0.2 * wide) << step;
+    EXPECT_GE(wide, last_wide);
+    EXPECT_GE(narrow, last_narrow);
+    last_wide = wide, last_narrow = narrow;
+  }
+  EXPECT_GT(last_wide, 0.5);
+}
+
+TEST(EdgeProfiles, an_edge_that_runs_across_its_contour_is_doubtful_whichever_way) {
+  const EdgeProfiles profiles(part());
+  EXPECT_GT(profiles.expectedOffset(edge(1.1, 0.2)), 0.2);
+  EXPECT_EQ(profiles.expectedOffset(edge(1.1, 0.2)), profiles.expectedOffset(edge(1.1, -0.2)));
+  EXPECT_EQ(profiles.expectedOffset(edge(1.1, 0.01)), profiles.expectedOffset(edge(1.1)));
+}
+
+TEST(EdgeProfiles, a_single_stray_point_does_not_condemn_its_edge) {
+  std::vector<EdgeLook> stray = edge(1.1);
+  stray[2] = {3.0, 1.2};
+  EXPECT_EQ(EdgeProfiles(part()).expectedOffset(stray), EdgeProfiles(part()).expectedOffset(edge(1.1)));
+}
+
+TEST(EdgeProfiles, few_points_or_none_are_no_error) {
+  EXPECT_EQ(EdgeProfiles({}).cleanBlur(), 0);
+  EXPECT_GT(EdgeProfiles({}).expectedOffset({}), 0);
+  EXPECT_EQ(EdgeProfiles({{1.3, 0.0}}).cleanBlur(), 1.3);
+  EXPECT_LT(EdgeProfiles({{1.3, 0.0}}).expectedOffset({{1.3, 0.0}}), 0.03);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
