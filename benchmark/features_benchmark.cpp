@@ -51,8 +51,9 @@ cv::Mat clutter(int width, int height) {
 void BM_DetectFeatures(benchmark::State& state) {
   const cv::Mat image = clutter(int(state.range(0)), int(state.range(0)) * 3 / 4);
   const Camera camera = benchCamera(image);
+  FeatureDetector detector;
   FeatureSet features;
-  for (auto _ : state) features = detectFeatures(image, camera);
+  for (auto _ : state) detector.detect(image, camera, &features);
   state.counters["points"] = double(features.points.size());
   state.counters["segments"] = double(features.segments.size());
   state.counters["ellipses"] = double(features.ellipses.size());
@@ -65,19 +66,25 @@ BENCHMARK(BM_DetectFeatures)->Arg(320)->Arg(640)->Arg(1280)->Arg(1920)->Unit(ben
 struct Stages {
   cv::Mat image = clutter(640, 480);
   FeatureOptions options;
-  EdgeMap map = detectEdgePoints(image, options);
-  LinkedEdges edges = linkEdges(map, options);
+  EdgeDetector edge_detector{options};
+  EdgeLinker edge_linker{options};
+  EdgeMap map;
+  LinkedEdges edges;
+  Stages() {
+    edge_detector.detect(image, &map);
+    edge_linker.link(map, &edges);
+  }
 };
 
 void BM_EdgePoints(benchmark::State& state) {
-  const Stages s;
-  for (auto _ : state) benchmark::DoNotOptimize(detectEdgePoints(s.image, s.options));
+  Stages s;
+  for (auto _ : state) s.edge_detector.detect(s.image, &s.map);
 }
 BENCHMARK(BM_EdgePoints)->Unit(benchmark::kMillisecond);
 
 void BM_Linking(benchmark::State& state) {
-  const Stages s;
-  for (auto _ : state) benchmark::DoNotOptimize(linkEdges(s.map, s.options));
+  Stages s;
+  for (auto _ : state) s.edge_linker.link(s.map, &s.edges);
 }
 BENCHMARK(BM_Linking)->Unit(benchmark::kMillisecond);
 
@@ -86,26 +93,27 @@ void BM_Undistortion(benchmark::State& state) {
   Camera camera = benchCamera(s.image);
   camera.model = DistortionModel::kPlumbBob;
   camera.d = {-0.25, 0.08, 0.001, -0.001, 0, 0, 0, 0};
-  for (auto _ : state) benchmark::DoNotOptimize(undistortEdges(s.edges, camera, s.options.min_trace_points));
+  LinkedEdges rectified;
+  for (auto _ : state) undistortEdges(s.edges, camera, s.options.min_trace_points, &rectified);
   state.counters["points"] = double(s.edges.points.size());
 }
 BENCHMARK(BM_Undistortion)->Unit(benchmark::kMillisecond);
 
 void BM_Arcs(benchmark::State& state) {
   const Stages s;
-  for (auto _ : state) {
-    TracePolygons polygons;
-    benchmark::DoNotOptimize(findArcs(s.edges, s.map.correlation_length, s.options, &polygons));
-  }
+  ArcFinder finder(s.options);
+  TracePolygons polygons;
+  std::vector<EllipticArc> arcs;
+  for (auto _ : state) finder.find(s.edges, s.map.correlation_length, &polygons, &arcs);
 }
 BENCHMARK(BM_Arcs)->Unit(benchmark::kMillisecond);
 
 void BM_Segments(benchmark::State& state) {
   const Stages s;
-  for (auto _ : state) {
-    TracePolygons none;  // so that it makes its own
-    benchmark::DoNotOptimize(findSegments(s.edges, {}, s.map.correlation_length, s.options, &none));
-  }
+  SegmentFinder finder(s.options);
+  TracePolygons none;  // so that it makes its own
+  std::vector<LineSegment> segments;
+  for (auto _ : state) finder.find(s.edges, {}, s.map.correlation_length, &none, &segments);
 }
 BENCHMARK(BM_Segments)->Unit(benchmark::kMillisecond);
 
@@ -119,10 +127,12 @@ void BM_Images(benchmark::State& state) {
     state.SkipWithError("MONOCULAR_EYE_HAND_IMAGES names no folder with PNG files");
     return;
   }
+  FeatureDetector detector;
+  FeatureSet features;
   size_t i = 0;
   for (auto _ : state) {
     const cv::Mat& image = images[i++ % images.size()];
-    benchmark::DoNotOptimize(detectFeatures(image, benchCamera(image)));
+    detector.detect(image, benchCamera(image), &features);
   }
 }
 BENCHMARK(BM_Images)->Unit(benchmark::kMillisecond);

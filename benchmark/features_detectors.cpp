@@ -56,7 +56,7 @@ std::vector<Ellipse> fromEdgeDrawing(const std::vector<cv::Vec6d>& found) {
 BenchFeatures fromOurs(const FeatureSet& set) {
   std::vector<char> replaced(set.segments.size(), 0);
   for (const LineSegment& s : set.segments)
-    for (int piece : s.pieces) replaced[piece] = 1;
+    for (int piece : set.piecesOf(s)) replaced[piece] = 1;
   BenchFeatures out;
   for (size_t i = 0; i < set.segments.size(); ++i)
     if (!replaced[i]) out.segments.push_back({set.segments[i].p, set.segments[i].q});
@@ -95,12 +95,13 @@ BenchFeatures detectBy(Detector detector, const cv::Mat& grey, Wanted wanted) {
 }
 
 double secondsBy(Detector detector, const cv::Mat& grey, Wanted wanted) {
+  static FeatureDetector ours;
   static FeatureSet features;
   peers();
   const Camera camera = benchCamera(grey);
   const double begin = threadSeconds();
   if (detector == Detector::kOurs)
-    features = detectFeatures(grey, camera);
+    ours.detect(grey, camera, &features);
   else if (detector == Detector::kEdgeDrawing)
     runEdgeDrawing(grey, wanted);
   else

@@ -30,10 +30,26 @@ cv::Mat enlarged(const cv::Mat& grey, Size size) {
   return large(middle).clone();
 }
 
-// What detectFeatures() does one after the other; segments here of all points, those on ellipses too.
+// The stages of a FeatureDetector, as it keeps them and what they fill from image to image.
+struct Stages {
+  FeatureOptions options;
+  EdgeDetector edge_detector{options};
+  EdgeLinker edge_linker{options};
+  ArcFinder arc_finder{options};
+  ArcJoiner arc_joiner{options};
+  SegmentFinder segment_finder{options};
+  SegmentJoiner segment_joiner{options};
+  EdgeMap map;
+  LinkedEdges edges;
+  TracePolygons polygons;
+  FeatureSet set;
+};
+
+// What a FeatureDetector does one after the other; segments here of all points, those on ellipses too.
 constexpr std::array<const char*, 6> kStages = {"edge_points_ms", "linking_ms",  "arcs_ms",
                                                 "ellipses_ms",    "segments_ms", "joining_ms"};
 std::array<double, kStages.size()> stageMilliseconds(const cv::Mat& grey) {
+  static Stages s;
   std::array<double, kStages.size()> times{};
   double last = threadSeconds();
   const auto lap = [&](size_t stage) {
@@ -41,21 +57,19 @@ std::array<double, kStages.size()> stageMilliseconds(const cv::Mat& grey) {
     times[stage] = 1e3 * (now - last);
     last = now;
   };
-  const FeatureOptions options;
-  const EdgeMap map = detectEdgePoints(grey, options);
+  s.edge_detector.detect(grey, &s.map);
   lap(0);
-  LinkedEdges edges = linkEdges(map, options);
-  rotateClosedTraces(&edges);
+  s.edge_linker.link(s.map, &s.edges);
+  rotateClosedTraces(&s.edges);
   lap(1);
-  TracePolygons polygons;
-  const std::vector<EllipticArc> arcs = findArcs(edges, map.correlation_length, options, &polygons);
+  const double correlation = s.map.correlation_length;
+  s.arc_finder.find(s.edges, correlation, &s.polygons, &s.set.arcs);
   lap(2);
-  benchmark::DoNotOptimize(joinArcs(edges.points, arcs, map.correlation_length, options));
+  s.arc_joiner.join(s.edges.points, s.set.arcs, correlation, &s.set.ellipses, &s.set.ellipse_arcs);
   lap(3);
-  const std::vector<LineSegment> segments =
-      findSegments(edges, {}, map.correlation_length, options, &polygons);
+  s.segment_finder.find(s.edges, {}, correlation, &s.polygons, &s.set.segments);
   lap(4);
-  benchmark::DoNotOptimize(joinSegments(segments, options));
+  s.segment_joiner.join(&s.set.segments, &s.set.joined_pieces);
   lap(5);
   return times;
 }

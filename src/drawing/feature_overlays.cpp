@@ -24,8 +24,8 @@ void drawTraces(Canvas* canvas, const FeatureSet& features) {
 
 void drawSegments(Canvas* canvas, const FeatureSet& features) {
   for (const LineSegment& segment : features.segments) {
-    const Colour& colour = segment.pieces.empty() ? kPlain : kJoined;
-    canvas->line(segment.p, segment.q, colour, segment.pieces.empty() ? 2 : 1);
+    const Colour& colour = segment.joined() ? kJoined : kPlain;
+    canvas->line(segment.p, segment.q, colour, segment.joined() ? 1 : 2);
     canvas->dot(segment.p, 2.5, kEnd);
     canvas->dot(segment.q, 2.5, kEnd);
   }
@@ -41,7 +41,7 @@ void drawEllipses(Canvas* canvas, const FeatureSet& features) {
     const Colour colour = paletteColour(int(k) + 1);  // the palette's first is the arcs' orange
     canvas->ellipse(ellipse.ellipse, colour, 1);
     canvas->dot(ellipse.ellipse.centre, 2.5, colour);
-    for (int arc : ellipse.arcs)
+    for (int arc : features.arcsOf(ellipse))
       if (arc >= 0 && arc < int(features.arcs.size()))
         canvas->polyline(pointsOf(features, features.arcs[arc].first, features.arcs[arc].count), false,
                          colour, 3);

@@ -18,21 +18,31 @@ struct Chord {
 
 double wrap(double angle) { return angle - 2 * M_PI * std::floor(angle / (2 * M_PI) + 0.5); }
 
-class ArcFinder {
- public:
-  ArcFinder(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options,
-            TracePolygons* polygons)
-      : edges_(edges), correlation_length_(correlation_length), options_(options), polygons_(*polygons) {}
+}  // namespace
 
-  void add(int trace, std::vector<EllipticArc>* out) {
-    const EdgeTrace& t = edges_.traces[trace];
+class ArcFinder::Search {
+ public:
+  explicit Search(const FeatureOptions& options) : options_(options) {}
+
+  void run(const LinkedEdges& edges, double correlation_length, TracePolygons* polygons,
+           std::vector<EllipticArc>* out) {
+    edges_ = &edges;
+    correlation_length_ = correlation_length;
+    polygons->clear();
+    out->clear();
+    for (int t = 0; t < int(edges.traces.size()); ++t) add(t, polygons, out);
+  }
+
+ private:
+  void add(int trace, TracePolygons* polygons, std::vector<EllipticArc>* out) {
+    const EdgeTrace& t = edges_->traces[trace];
     const PointRange range{t.first, t.count};
-    sums_.assign(edges_.points, t.first, t.count);
+    sums_.assign(edges_->points, t.first, t.count);
     if (sums_.chi2(t.first, t.first + t.count) < 2.0 * t.count) return;  // plainly straight
-    tolerance_ = splitTolerance(edges_.points, range, options_);
-    const std::vector<int> breaks = polygonBreaks(edges_.points, sums_, range, tolerance_);
-    polygons_.add(trace, breaks);
-    makeChords(breaks);
+    tolerance_ = splitTolerance(edges_->points, range, options_);
+    splitter_.split(edges_->points, sums_, range, tolerance_, &breaks_);
+    polygons->add(trace, breaks_);
+    makeChords();
     found_.clear();
     for (size_t i = 0; i + 1 < chords_.size();) {
       const size_t end = runEnd(i);
@@ -42,15 +52,14 @@ class ArcFinder {
     finish(trace, range, out);
   }
 
- private:
-  void makeChords(const std::vector<int>& breaks) {
+  void makeChords() {
     chords_.clear();
     turned_.clear();
-    for (size_t i = 0; i + 1 < breaks.size(); ++i) {
+    for (size_t i = 0; i + 1 < breaks_.size(); ++i) {
       const Eigen::Vector2f d =
-          edges_.points[std::max(breaks[i], breaks[i + 1] - 1)].uv - edges_.points[breaks[i]].uv;
-      chords_.push_back({breaks[i], breaks[i + 1], d.norm(), std::atan2(d.y(), d.x()),
-                         sums_.chi2(breaks[i], breaks[i + 1])});
+          edges_->points[std::max(breaks_[i], breaks_[i + 1] - 1)].uv - edges_->points[breaks_[i]].uv;
+      chords_.push_back({breaks_[i], breaks_[i + 1], d.norm(), std::atan2(d.y(), d.x()),
+                         sums_.chi2(breaks_[i], breaks_[i + 1])});
       turned_.push_back(i == 0 ? 0 : turned_.back() + wrap(chords_[i].angle - chords_[i - 1].angle));
     }
   }
@@ -83,7 +92,7 @@ class ArcFinder {
   };
   Trial fit(size_t begin, size_t end) {
     const PointRange range{chords_[begin].begin, chords_[end - 1].end - chords_[begin].begin};
-    fit_points_.assign(edges_.points, &range, 1, kArcFitPoints);
+    fit_points_.assign(edges_->points, &range, 1, kArcFitPoints);
     const double used = double(fit_points_.count()) / range.count;
     Trial trial;
     trial.goal.rms = std::max(0.3, 0.5 * tolerance_);
@@ -143,7 +152,7 @@ class ArcFinder {
   };
 
   bool onEllipse(const EllipseFrame& ellipse, double rms, int i) const {
-    const EdgePoint& p = edges_.points[i];
+    const EdgePoint& p = edges_->points[i];
     const EllipseDistance d = ellipse.distanceTo(p.uv.cast<double>());
     const double limit = std::max(3 * fitSigma(p), 2 * rms) + 0.1;
     return std::fabs(d.distance) < limit && std::fabs(d.normal.dot(p.normal.cast<double>())) > 0.93;
@@ -152,7 +161,7 @@ class ArcFinder {
   // Fits an arc's points again; an ellipse that does not come out stays.
   void refit(Found* arc, int points, int iterations) {
     const PointRange range{arc->begin, arc->end - arc->begin};
-    fit_points_.assign(edges_.points, &range, 1, points);
+    fit_points_.assign(edges_->points, &range, 1, points);
     const EllipseFit again = refineEllipse(fit_points_, arc->fit.ellipse, iterations);
     if (again.valid) arc->fit = again;
   }
@@ -197,10 +206,10 @@ class ArcFinder {
     a.first = arc.begin;
     a.count = arc.end - arc.begin;
     const EllipseFrame frame(a.ellipse);
-    a.start = frame.eccentricAngle(edges_.points[arc.begin].uv.cast<double>());
+    a.start = frame.eccentricAngle(edges_->points[arc.begin].uv.cast<double>());
     double last = a.start;
     for (int i = arc.begin + 1; i < arc.end; ++i) {
-      const double now = frame.eccentricAngle(edges_.points[i].uv.cast<double>());
+      const double now = frame.eccentricAngle(edges_->points[i].uv.cast<double>());
       a.sweep += wrap(now - last);
       last = now;
     }
@@ -209,26 +218,24 @@ class ArcFinder {
     return a;
   }
 
-  const LinkedEdges& edges_;
-  const double correlation_length_;
-  const FeatureOptions& options_;
-  TracePolygons& polygons_;
+  const FeatureOptions options_;
+  const LinkedEdges* edges_ = nullptr;
+  double correlation_length_ = 1;
   LineSums sums_;
   FitPoints fit_points_;
+  PolygonSplitter splitter_;
   double tolerance_ = 0;
+  std::vector<int> breaks_;
   std::vector<Chord> chords_;
   std::vector<double> turned_;  // direction of each chord, unwrapped
   std::vector<Found> found_;
 };
 
-}  // namespace
-
-std::vector<EllipticArc> findArcs(const LinkedEdges& edges, double correlation_length,
-                                  const FeatureOptions& options, TracePolygons* polygons) {
-  std::vector<EllipticArc> out;
-  ArcFinder finder(edges, correlation_length, options, polygons);
-  for (int t = 0; t < int(edges.traces.size()); ++t) finder.add(t, &out);
-  return out;
+ArcFinder::ArcFinder(const FeatureOptions& options) : search_(std::make_unique<Search>(options)) {}
+ArcFinder::~ArcFinder() = default;
+void ArcFinder::find(const LinkedEdges& edges, double correlation_length, TracePolygons* polygons,
+                     std::vector<EllipticArc>* out) {
+  search_->run(edges, correlation_length, polygons, out);
 }
 
 }  // namespace monocular_eye_hand

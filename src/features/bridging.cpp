@@ -8,12 +8,14 @@ namespace {
 
 class Bridges {
  public:
-  Bridges(const EdgeMap& edges, EdgeLinks* links) : edges_(edges), links_(*links) {
-    starts_by_pixel_.reset(edges.cols, edges.rows);
+  Bridges(const EdgeMap& edges, LooseStarts* starts, EdgeLinks* links)
+      : edges_(edges), links_(*links), starts_(*starts) {
+    starts_.points.clear();
+    starts_.pixels.reset(edges.cols, edges.rows);
     for (int i = 0; i < int(edges.points.size()); ++i) {
       if (!looseStart(i)) continue;
-      starts_by_pixel_.add(edges.x[i], edges.y[i], int32_t(starts_.size()));
-      starts_.push_back(i);
+      starts_.pixels.add(edges.x[i], edges.y[i], int32_t(starts_.points.size()));
+      starts_.points.push_back(i);
     }
   }
 
@@ -50,8 +52,8 @@ class Bridges {
     const int x0 = std::max(0, edges_.x[i] - kReach), count = edges_.x[i] + kReach + 1 - x0;
     const int y0 = std::max(0, edges_.y[i] - kReach), y1 = std::min(edges_.rows - 1, edges_.y[i] + kReach);
     for (int y = y0; y <= y1; ++y)
-      for (uint32_t left = starts_by_pixel_.run(x0, y, count); left; left &= left - 1)
-        consider(starts_[size_t(starts_by_pixel_.point(x0 + lowestBit(left), y))]);
+      for (uint32_t left = starts_.pixels.run(x0, y, count); left; left &= left - 1)
+        consider(starts_.points[size_t(starts_.pixels.point(x0 + lowestBit(left), y))]);
     if (from < 0) return;
     if (from != i) links_.unlink(from, i);
     if (to != skipped) links_.unlink(skipped, to);
@@ -76,12 +78,13 @@ class Bridges {
 
   const EdgeMap& edges_;
   EdgeLinks& links_;
-  std::vector<int> starts_;
-  EdgePixels starts_by_pixel_;
+  LooseStarts& starts_;
 };
 
 }  // namespace
 
-void bridgeGaps(const EdgeMap& edges, EdgeLinks* links) { Bridges(edges, links).build(); }
+void bridgeGaps(const EdgeMap& edges, LooseStarts* starts, EdgeLinks* links) {
+  Bridges(edges, starts, links).build();
+}
 
 }  // namespace monocular_eye_hand

@@ -24,35 +24,83 @@ void checkImage(const cv::Mat& grey, const Camera& camera) {
 }
 
 // Points that belong to an ellipse are not split into straight pieces.
-std::vector<PointRange> pointsOfEllipses(const FeatureSet& features) {
-  std::vector<PointRange> taken;
-  for (const DetectedEllipse& e : features.ellipses)
-    for (int arc : e.arcs) taken.push_back({features.arcs[arc].first, features.arcs[arc].count});
-  std::sort(taken.begin(), taken.end(),
+void pointsOfEllipses(const FeatureSet& features, std::vector<PointRange>* taken) {
+  taken->clear();
+  for (int arc : features.ellipse_arcs)
+    taken->push_back({features.arcs[arc].first, features.arcs[arc].count});
+  std::sort(taken->begin(), taken->end(),
             [](const PointRange& a, const PointRange& b) { return a.first < b.first; });
-  return taken;
+}
+
+FeatureOptions checked(const FeatureOptions& options) {
+  options.check();
+  return options;
 }
 
 }  // namespace
 
-FeatureSet detectFeatures(const cv::Mat& grey, const Camera& camera, const FeatureOptions& options) {
-  checkImage(grey, camera);
-  options.check();
-  FeatureSet features;
-  features.camera = camera;
-  const EdgeMap map = detectEdgePoints(grey, options);
-  LinkedEdges edges = linkEdges(map, options);
-  if (camera.distorted()) edges = undistortEdges(edges, camera, options.min_trace_points);
-  rotateClosedTraces(&edges);
-  const double correlation = map.correlation_length;
+struct FeatureDetector::Stages {
+  explicit Stages(const FeatureOptions& o)
+      : options(checked(o)),
+        edge_detector(options),
+        edge_linker(options),
+        arc_finder(options),
+        arc_joiner(options),
+        segment_finder(options),
+        segment_joiner(options) {}
+
+  void run(const cv::Mat& grey, const Camera& camera, FeatureSet* out) {
+    out->camera = camera;
+    LinkedEdges edges{std::move(out->points), std::move(out->traces)};  // what the set has reserved stays its
+    findEdges(grey, camera, &edges);
+    const double correlation = map.correlation_length;
+    arc_finder.find(edges, correlation, &polygons, &out->arcs);
+    arc_joiner.join(edges.points, out->arcs, correlation, &out->ellipses, &out->ellipse_arcs);
+    pointsOfEllipses(*out, &taken);
+    segment_finder.find(edges, taken, correlation, &polygons, &out->segments);
+    segment_joiner.join(&out->segments, &out->joined_pieces);
+    out->points = std::move(edges.points);
+    out->traces = std::move(edges.traces);
+  }
+
+  void findEdges(const cv::Mat& grey, const Camera& camera, LinkedEdges* out) {
+    edge_detector.detect(grey, &map);
+    if (camera.distorted()) {
+      edge_linker.link(map, &raw);
+      undistortEdges(raw, camera, options.min_trace_points, out);
+    } else {
+      edge_linker.link(map, out);
+    }
+    rotateClosedTraces(out);
+  }
+
+  const FeatureOptions options;
+  EdgeDetector edge_detector;
+  EdgeLinker edge_linker;
+  ArcFinder arc_finder;
+  ArcJoiner arc_joiner;
+  SegmentFinder segment_finder;
+  SegmentJoiner segment_joiner;
+  EdgeMap map;
+  LinkedEdges raw;  // of a camera with distortion
   TracePolygons polygons;
-  features.arcs = findArcs(edges, correlation, options, &polygons);
-  features.ellipses = joinArcs(edges.points, features.arcs, correlation, options);
-  features.segments = findSegments(edges, pointsOfEllipses(features), correlation, options, &polygons);
-  const std::vector<LineSegment> joined = joinSegments(features.segments, options);
-  features.segments.insert(features.segments.end(), joined.begin(), joined.end());
-  features.points = std::move(edges.points);
-  features.traces = std::move(edges.traces);
+  std::vector<PointRange> taken;
+};
+
+FeatureDetector::FeatureDetector(const FeatureOptions& options)
+    : stages_(std::make_unique<Stages>(options)) {}
+FeatureDetector::FeatureDetector(FeatureDetector&& other) noexcept = default;
+FeatureDetector& FeatureDetector::operator=(FeatureDetector&& other) noexcept = default;
+FeatureDetector::~FeatureDetector() = default;
+
+void FeatureDetector::detect(const cv::Mat& grey, const Camera& camera, FeatureSet* out) {
+  checkImage(grey, camera);
+  stages_->run(grey, camera, out);
+}
+
+FeatureSet detectFeatures(const cv::Mat& grey, const Camera& camera, const FeatureOptions& options) {
+  FeatureSet features;
+  FeatureDetector(options).detect(grey, camera, &features);
   return features;
 }
 

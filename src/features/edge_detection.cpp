@@ -14,7 +14,9 @@ constexpr int kBorder = 2;
 
 struct Row {
   std::vector<float> dx, dy, magnitude;
-  explicit Row(int cols) : dx(cols), dy(cols), magnitude(cols) {}
+  void resize(int cols) {
+    for (std::vector<float>* v : {&dx, &dy, &magnitude}) v->resize(size_t(cols));
+  }
 };
 
 // Magnitudes one step back and ahead along the gradient, on the frame of the 3x3 neighbourhood: linear
@@ -89,22 +91,54 @@ float profileVariance(float second_difference, float m) {
   return 0.5f / std::max(x, 0.02f);
 }
 
-class PointFinder {
+}  // namespace
+
+class EdgeDetector::Scan {
  public:
-  PointFinder(EdgeMap* edges, float threshold, float difference_noise)
-      : edges_(*edges),
-        threshold_(threshold),
-        difference_noise_(difference_noise),
-        found_(size_t(edges->cols) + 1) {}
+  explicit Scan(const FeatureOptions& options)
+      : options_(options), kernel_(gradientKernel(options.smoothing_sigma)), gradients_(kernel_) {}
+
+  void run(const cv::Mat& grey, EdgeMap* out) {
+    edges_ = out;
+    start(grey);
+    gradients_.start(grey);
+    for (int y = 0; y < grey.rows; ++y) {
+      Row& next = rows_[y % 3];
+      gradients_.compute(y, next.dx.data(), next.dy.data(), next.magnitude.data());
+      if (y > kBorder && y < grey.rows - kBorder + 1)
+        scan(y - 1, rows_[(y - 2) % 3], rows_[(y - 1) % 3], next);
+    }
+  }
+
+ private:
+  void start(const cv::Mat& grey) {
+    const double noise = imageNoise(grey);
+    EdgeMap& edges = *edges_;
+    edges.rows = grey.rows;
+    edges.cols = grey.cols;
+    edges.gradient_noise = noise * kernel_.noise_gain;
+    edges.threshold = std::max(options_.gradient_threshold, options_.noise_factor * edges.gradient_noise);
+    edges.correlation_length = kernel_.correlation_length;
+    difference_noise_ = float(noise * kernel_.difference_gain);
+    edges.pixels.reset(grey.cols, grey.rows);
+    const size_t expected = grey.total() / 4;  // what is not written costs nothing
+    edges.points.clear();
+    edges.points.reserve(expected);
+    for (std::vector<int16_t>* v : {&edges.x, &edges.y}) {
+      v->clear();
+      v->reserve(expected);
+    }
+    found_.resize(size_t(grey.cols) + 1);
+    for (Row& row : rows_) row.resize(grey.cols);
+  }
 
   void scan(int y, const Row& above, const Row& here, const Row& below) {
     const int n =
         findMaxima(above.magnitude.data(), here.magnitude.data(), below.magnitude.data(), here.dx.data(),
-                   here.dy.data(), threshold_, kBorder, edges_.cols - kBorder, found_.data());
+                   here.dy.data(), float(edges_->threshold), kBorder, edges_->cols - kBorder, found_.data());
     for (int k = 0; k < n; ++k) add(found_[size_t(k)], y, above, here, below);
   }
 
- private:
   void add(int x, int y, const Row& above, const Row& here, const Row& below) {
     const float m = here.magnitude[x], gx = here.dx[x], gy = here.dy[x];
     const Along along =
@@ -121,43 +155,23 @@ class PointFinder {
     p.gradient = m;
     p.sigma = difference_noise_ * std::sqrt(step2) / -second;
     p.blur = std::sqrt(profileVariance(second, m) * step2);
-    edges_.pixels.add(x, y, int32_t(edges_.points.size()));
-    edges_.points.push_back(p);
-    edges_.x.push_back(int16_t(x));
-    edges_.y.push_back(int16_t(y));
+    edges_->pixels.add(x, y, int32_t(edges_->points.size()));
+    edges_->points.push_back(p);
+    edges_->x.push_back(int16_t(x));
+    edges_->y.push_back(int16_t(y));
   }
 
-  EdgeMap& edges_;
-  const float threshold_, difference_noise_;
-  std::vector<int16_t> found_;
+  const FeatureOptions options_;
+  const GradientKernel kernel_;
+  GradientRows gradients_;
+  Row rows_[3];
+  std::vector<int16_t> found_;  // pixels of a row
+  EdgeMap* edges_ = nullptr;
+  float difference_noise_ = 0;  // of half a difference of two magnitudes [grey levels per px]
 };
 
-}  // namespace
-
-EdgeMap detectEdgePoints(const cv::Mat& grey, const FeatureOptions& options) {
-  const GradientKernel kernel = gradientKernel(options.smoothing_sigma);
-  const double noise = imageNoise(grey);
-  EdgeMap edges;
-  edges.rows = grey.rows;
-  edges.cols = grey.cols;
-  edges.gradient_noise = noise * kernel.noise_gain;
-  edges.threshold = std::max(options.gradient_threshold, options.noise_factor * edges.gradient_noise);
-  edges.correlation_length = kernel.correlation_length;
-  edges.pixels.reset(grey.cols, grey.rows);
-  const size_t expected = grey.total() / 4;  // what is not written costs nothing
-  edges.points.reserve(expected);
-  edges.x.reserve(expected);
-  edges.y.reserve(expected);
-  GradientRows gradients(grey, kernel);
-  PointFinder finder(&edges, float(edges.threshold), float(noise * kernel.difference_gain));
-  Row rows[3] = {Row(grey.cols), Row(grey.cols), Row(grey.cols)};
-  for (int y = 0; y < grey.rows; ++y) {
-    Row& next = rows[y % 3];
-    gradients.compute(y, next.dx.data(), next.dy.data(), next.magnitude.data());
-    if (y > kBorder && y < grey.rows - kBorder + 1)
-      finder.scan(y - 1, rows[(y - 2) % 3], rows[(y - 1) % 3], next);
-  }
-  return edges;
-}
+EdgeDetector::EdgeDetector(const FeatureOptions& options) : scan_(std::make_unique<Scan>(options)) {}
+EdgeDetector::~EdgeDetector() = default;
+void EdgeDetector::detect(const cv::Mat& grey, EdgeMap* out) { scan_->run(grey, out); }
 
 }  // namespace monocular_eye_hand

@@ -11,7 +11,11 @@ namespace monocular_eye_hand {
 /// predecessor.
 struct EdgeLinks {
   static constexpr float kNone = 1e9f;
-  explicit EdgeLinks(size_t points) : next(points, -1), previous(points, -1), cost(points, kNone) {}
+  void reset(size_t points) {
+    next.assign(points, -1);
+    previous.assign(points, -1);
+    cost.assign(points, kNone);
+  }
   std::vector<int> next, previous;  ///< -1: none
   std::vector<float> cost;          ///< of the link to the successor
 
@@ -45,17 +49,38 @@ inline PairLink linkOf(const EdgePoint& p, const EdgePoint& q) {
   return {after ? 1 : -1, std::sqrt(dx * dx + dy * dy) + kAsideWeight * aside};
 }
 
-/// Links points that choose each other: each takes the cheapest neighbour ahead and behind, on the ring of
-/// pixels around it if there is one, else on the next ring.
-/// Returns which neighbours each point found: ahead (bit 0), behind (bit 1).
-std::vector<char> linkMutualChoices(const EdgeMap& edges, EdgeLinks* links);
+/// The cheapest neighbour of a point on one side.
+struct Choice {
+  int point = -1;
+  float cost = EdgeLinks::kNone;
+  void consider(int candidate, float candidate_cost) {
+    if (candidate_cost < cost) point = candidate, cost = candidate_cost;
+  }
+};
+struct Choices {
+  Choice ahead, behind;
+  void consider(int candidate, const PairLink& pair) {
+    if (pair.order > 0) ahead.consider(candidate, pair.cost);
+    if (pair.order < 0) behind.consider(candidate, pair.cost);
+  }
+};
 
-/// Gives points without a link where they found a neighbour (`found`, as returned above) another try at both
-/// rings; a cheaper link takes a neighbour over.
-void linkByClaims(const EdgeMap& edges, const std::vector<char>& found, EdgeLinks* links);
+/// Links points that choose each other: each takes the cheapest neighbour ahead and behind, on the ring of
+/// pixels around it if there is one, else on the next ring. `choices` becomes what each point chose.
+void linkMutualChoices(const EdgeMap& edges, std::vector<Choices>* choices, EdgeLinks* links);
+
+/// Gives points without a link where they chose a neighbour another try at both rings; a cheaper link takes a
+/// neighbour over.
+void linkByClaims(const EdgeMap& edges, const std::vector<Choices>& choices, EdgeLinks* links);
+
+/// First points of traces, and where they lie.
+struct LooseStarts {
+  std::vector<int> points;
+  EdgePixels pixels;  ///< places in `points`
+};
 
 /// Links loose ends with loose starts nearby: across a gap of a few pixels, or over an end point that lies
-/// beside the other trace's start instead of before it.
-void bridgeGaps(const EdgeMap& edges, EdgeLinks* links);
+/// beside the other trace's start instead of before it. `starts` becomes the loose starts there were.
+void bridgeGaps(const EdgeMap& edges, LooseStarts* starts, EdgeLinks* links);
 
 }  // namespace monocular_eye_hand

@@ -100,12 +100,12 @@ void filterRow(int radius, const RowFilter& f) {
   }
 }
 
-// |second difference| by Immerkaer's mask at x = step .. cols - step - 1; -1 where the middle is clipped and
-// noise is cut off.
+// |second difference| by Immerkaer's mask at x = 0 .. count - 1, where the rows go on for `step` pixels on
+// both sides; -1 where the middle is clipped and noise is cut off.
 MONOCULAR_EYE_HAND_VECTOR_CLONES
-void secondDifferences(const uchar* a, const uchar* b, const uchar* c, int step, int cols,
+void secondDifferences(const uchar* a, const uchar* b, const uchar* c, int step, int count,
                        int16_t* __restrict out) {
-  for (int x = step; x < cols - step; ++x) {
+  for (int x = 0; x < count; ++x) {
     const int v = a[x - step] - 2 * a[x] + a[x + step] - 2 * b[x - step] + 4 * b[x] - 2 * b[x + step] +
                   c[x - step] - 2 * c[x] + c[x + step];
     const bool clipped = b[x] == 0 || b[x] == 255;
@@ -115,17 +115,19 @@ void secondDifferences(const uchar* a, const uchar* b, const uchar* c, int step,
 
 // Quantile of the absolute second differences at the given step over a sparse set of rows.
 double secondDifferenceNoise(const cv::Mat& grey, int step) {
-  constexpr int kBins = 512;
+  constexpr int kBins = 512, kRun = 1024;                       // pixels looked at together
   constexpr double kShare = 1.0 / 3, kNormalQuantile = 0.4307;  // P(|N(0,1)| < 0.4307) = 1/3
   // Bin 0 counts the clipped ones. Four histograms, so that equal neighbours need not wait for each other.
   std::array<std::array<int32_t, kBins + 1>, 4> parts{};
-  std::vector<int16_t> differences(size_t(grey.cols) + 3);
-  for (int y = step; y + step < grey.rows; y += 5) {
-    secondDifferences(grey.ptr(y - step), grey.ptr(y), grey.ptr(y + step), step, grey.cols,
-                      differences.data());
-    for (int x = step; x < grey.cols - step; ++x)
-      ++parts[size_t(x & 3)][size_t(std::min(int(differences[size_t(x)]), kBins - 1) + 1)];
-  }
+  std::array<int16_t, kRun> differences;
+  for (int y = step; y + step < grey.rows; y += 5)
+    for (int x = step; x < grey.cols - step; x += kRun) {
+      const int count = std::min(kRun, grey.cols - step - x);
+      secondDifferences(grey.ptr(y - step) + x, grey.ptr(y) + x, grey.ptr(y + step) + x, step, count,
+                        differences.data());
+      for (int k = 0; k < count; ++k)
+        ++parts[size_t(k & 3)][size_t(std::min(int(differences[size_t(k)]), kBins - 1) + 1)];
+    }
   std::array<int64_t, kBins> histogram{};
   int64_t total = 0;
   for (int bin = 0; bin < kBins; ++bin) {
@@ -181,23 +183,24 @@ double imageNoise(const cv::Mat& grey) {
   return std::max({rounding, secondDifferenceNoise(grey, 1), secondDifferenceNoise(grey, 2)});
 }
 
-GradientRows::GradientRows(const cv::Mat& grey, const GradientKernel& kernel)
-    : grey_(grey),
-      kernel_(kernel),
-      ring_(size_t(2 * kernel.radius + 1) * grey.cols),
-      smooth_(grey.cols + 2 * kernel.radius),
-      derivative_(grey.cols + 2 * kernel.radius) {}
+void GradientRows::start(const cv::Mat& grey) {
+  grey_ = &grey;
+  loaded_ = -1;
+  ring_.resize(size_t(2 * kernel_.radius + 1) * grey.cols);
+  smooth_.resize(grey.cols + 2 * kernel_.radius);
+  derivative_.resize(grey.cols + 2 * kernel_.radius);
+}
 
 const float* GradientRows::row(int y) {
-  y = std::min(std::max(y, 0), grey_.rows - 1);
+  y = std::min(std::max(y, 0), grey_->rows - 1);
   const int slots = 2 * kernel_.radius + 1;
   while (loaded_ < y) {
     ++loaded_;
-    const uchar* from = grey_.ptr(loaded_);
-    float* to = ring_.data() + size_t(loaded_ % slots) * grey_.cols;
-    for (int x = 0; x < grey_.cols; ++x) to[x] = float(from[x]);
+    const uchar* from = grey_->ptr(loaded_);
+    float* to = ring_.data() + size_t(loaded_ % slots) * grey_->cols;
+    for (int x = 0; x < grey_->cols; ++x) to[x] = float(from[x]);
   }
-  return ring_.data() + size_t(y % slots) * grey_.cols;
+  return ring_.data() + size_t(y % slots) * grey_->cols;
 }
 
 void GradientRows::compute(int y, float* dx, float* dy, float* magnitude) {
@@ -208,7 +211,7 @@ void GradientRows::compute(int y, float* dx, float* dy, float* magnitude) {
   filter.d = kernel_.derivative.data();
   filter.smooth = smooth_.data() + r;
   filter.derivative = derivative_.data() + r;
-  filter.cols = grey_.cols;
+  filter.cols = grey_->cols;
   filter.dx = dx;
   filter.dy = dy;
   filter.magnitude = magnitude;

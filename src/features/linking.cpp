@@ -23,39 +23,56 @@ class NoiseTest {
   float scale_, needed_, evidence_ = 0;
 };
 
-void append(const EdgeMap& edges, const std::vector<int>& next, int start, bool closed, int min_points,
-            std::vector<char>* used, LinkedEdges* out) {
-  EdgeTrace trace;
-  trace.first = int(out->points.size());
-  trace.closed = closed;
-  NoiseTest test(edges);
-  for (int i = start; i >= 0 && !(*used)[i]; i = next[i]) {
-    (*used)[i] = 1;
-    out->points.push_back(edges.points[i]);
-    test.add(edges.points[i].gradient);
-  }
-  trace.count = int(out->points.size()) - trace.first;
-  if (trace.count >= min_points && test.passed())
-    out->traces.push_back(trace);
-  else
-    out->points.resize(trace.first);
-}
-
 }  // namespace
 
-LinkedEdges linkEdges(const EdgeMap& edges, const FeatureOptions& options) {
-  EdgeLinks links(edges.points.size());
-  linkByClaims(edges, linkMutualChoices(edges, &links), &links);
-  bridgeGaps(edges, &links);
-  LinkedEdges out;
-  out.points.reserve(edges.points.size());
-  std::vector<char> used(edges.points.size(), 0);
-  const int n = int(edges.points.size()), least = options.min_trace_points;
-  for (int i = 0; i < n; ++i)
-    if (links.previous[i] < 0) append(edges, links.next, i, false, least, &used, &out);
-  for (int i = 0; i < n; ++i)
-    if (!used[i]) append(edges, links.next, i, true, least, &used, &out);
-  return out;
-}
+class EdgeLinker::Linking {
+ public:
+  explicit Linking(int min_trace_points) : min_trace_points_(min_trace_points) {}
+
+  void run(const EdgeMap& edges, LinkedEdges* out) {
+    links_.reset(edges.points.size());
+    linkMutualChoices(edges, &choices_, &links_);
+    linkByClaims(edges, choices_, &links_);
+    bridgeGaps(edges, &starts_, &links_);
+    out->points.clear();
+    out->points.reserve(edges.points.size());
+    out->traces.clear();
+    used_.assign(edges.points.size(), 0);
+    const int n = int(edges.points.size());
+    for (int i = 0; i < n; ++i)
+      if (links_.previous[i] < 0) append(edges, i, false, out);
+    for (int i = 0; i < n; ++i)
+      if (!used_[i]) append(edges, i, true, out);
+  }
+
+ private:
+  void append(const EdgeMap& edges, int start, bool closed, LinkedEdges* out) {
+    EdgeTrace trace;
+    trace.first = int(out->points.size());
+    trace.closed = closed;
+    NoiseTest test(edges);
+    for (int i = start; i >= 0 && !used_[i]; i = links_.next[i]) {
+      used_[i] = 1;
+      out->points.push_back(edges.points[i]);
+      test.add(edges.points[i].gradient);
+    }
+    trace.count = int(out->points.size()) - trace.first;
+    if (trace.count >= min_trace_points_ && test.passed())
+      out->traces.push_back(trace);
+    else
+      out->points.resize(trace.first);
+  }
+
+  const int min_trace_points_;
+  EdgeLinks links_;
+  std::vector<Choices> choices_;
+  LooseStarts starts_;
+  std::vector<char> used_;  // per edge point
+};
+
+EdgeLinker::EdgeLinker(const FeatureOptions& options)
+    : linking_(std::make_unique<Linking>(options.min_trace_points)) {}
+EdgeLinker::~EdgeLinker() = default;
+void EdgeLinker::link(const EdgeMap& edges, LinkedEdges* out) { linking_->run(edges, out); }
 
 }  // namespace monocular_eye_hand

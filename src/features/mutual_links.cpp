@@ -4,22 +4,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-// The cheapest neighbour of a point on one side.
-struct Choice {
-  int point = -1;
-  float cost = EdgeLinks::kNone;
-  void consider(int candidate, float candidate_cost) {
-    if (candidate_cost < cost) point = candidate, cost = candidate_cost;
-  }
-};
-struct Choices {
-  Choice ahead, behind;
-  void consider(int candidate, const PairLink& pair) {
-    if (pair.order > 0) ahead.consider(candidate, pair.cost);
-    if (pair.order < 0) behind.consider(candidate, pair.cost);
-  }
-};
-
 // Each pair of neighbours is looked at once, from the later point in raster order.
 void chooseOnInnerRing(const EdgeMap& edges, std::vector<Choices>* choices) {
   const int n = int(edges.points.size());
@@ -55,18 +39,15 @@ void chooseOnOuterRing(const EdgeMap& edges, std::vector<Choices>* choices) {
 
 }  // namespace
 
-std::vector<char> linkMutualChoices(const EdgeMap& edges, EdgeLinks* links) {
-  const int n = int(edges.points.size());
-  std::vector<Choices> choices(edges.points.size());
-  chooseOnInnerRing(edges, &choices);
-  chooseOnOuterRing(edges, &choices);
-  std::vector<char> found(edges.points.size());
-  for (int i = 0; i < n; ++i) {
-    const Choice& ahead = choices[i].ahead;
-    found[i] = char((ahead.point >= 0 ? 1 : 0) | (choices[i].behind.point >= 0 ? 2 : 0));
-    if (ahead.point >= 0 && choices[ahead.point].behind.point == i) links->link(i, ahead.point, ahead.cost);
+void linkMutualChoices(const EdgeMap& edges, std::vector<Choices>* choices, EdgeLinks* links) {
+  choices->assign(edges.points.size(), {});
+  chooseOnInnerRing(edges, choices);
+  chooseOnOuterRing(edges, choices);
+  for (int i = 0; i < int(edges.points.size()); ++i) {
+    const Choice& ahead = (*choices)[i].ahead;
+    if (ahead.point >= 0 && (*choices)[ahead.point].behind.point == i)
+      links->link(i, ahead.point, ahead.cost);
   }
-  return found;
 }
 
 }  // namespace monocular_eye_hand

@@ -55,35 +55,60 @@ Corner intersect(const LineFit& a, const LineFit& b, const Eigen::Vector2d& near
   return corner;
 }
 
-class TraceSegments {
- public:
-  TraceSegments(const LinkedEdges& edges, double correlation_length, const FeatureOptions& options,
-                TracePolygons* polygons)
-      : edges_(edges), correlation_length_(correlation_length), options_(options), polygons_(*polygons) {}
+}  // namespace
 
-  void add(int trace, PointRange range, bool closed, std::vector<LineSegment>* out) {
-    sums_.assign(edges_.points, range.first, range.count);
-    const bool whole = range.count == edges_.traces[trace].count;
-    std::vector<int> breaks;
-    if (!whole || !polygons_.take(trace, &breaks)) {
-      const double tolerance = splitTolerance(edges_.points, range, options_);
-      breaks = polygonBreaks(edges_.points, sums_, range, tolerance);
-    }
-    mergeBreaks(edges_.points, sums_, correlation_length_, mergeTolerance(edges_.points, range, options_),
-                &breaks);
-    pieces_.clear();
-    const size_t n = breaks.size() - 1;
-    for (size_t i = 0; i < n; ++i) {
-      Piece piece{breaks[i], breaks[i + 1], {}, closed || i > 0, closed || i + 1 < n};
-      if (piece.end - piece.begin >= 4) {
-        fitPiece(edges_.points, sums_, &piece);
-        pieces_.push_back(piece);
+class SegmentFinder::Search {
+ public:
+  explicit Search(const FeatureOptions& options) : options_(options) {}
+
+  void run(const LinkedEdges& edges, const std::vector<PointRange>& taken, double correlation_length,
+           TracePolygons* polygons, std::vector<LineSegment>* out) {
+    edges_ = &edges;
+    correlation_length_ = correlation_length;
+    polygons_ = polygons;
+    out_ = out;
+    out->clear();
+    size_t next = 0;  // first taken range that may touch the trace
+    for (int t = 0; t < int(edges.traces.size()); ++t) {
+      const EdgeTrace& trace = edges.traces[t];
+      const int end = trace.first + trace.count;
+      int from = trace.first;
+      bool whole = true;
+      const auto add_up_to = [&](int to) {
+        if (to - from >= 4) add(t, {from, to - from}, trace.closed && whole);
+      };
+      for (; next < taken.size() && taken[next].first < end; ++next) {
+        whole = false;
+        add_up_to(taken[next].first);
+        from = std::max(from, taken[next].first + taken[next].count);
       }
+      if (from < end) add_up_to(end);
     }
-    for (size_t i = 0; i < pieces_.size(); ++i) addPiece(trace, range, closed, i, out);
   }
 
  private:
+  void add(int trace, PointRange range, bool closed) {
+    const std::vector<EdgePoint>& points = edges_->points;
+    sums_.assign(points, range.first, range.count);
+    const bool whole = range.count == edges_->traces[trace].count;
+    if (!whole || !polygons_->take(trace, &breaks_))
+      splitter_.split(points, sums_, range, splitTolerance(points, range, options_), &breaks_);
+    splitter_.merge(points, sums_, correlation_length_, mergeTolerance(points, range, options_), &breaks_);
+    fitPieces(closed);
+    for (size_t i = 0; i < pieces_.size(); ++i) addPiece(trace, range, closed, i);
+  }
+
+  void fitPieces(bool closed) {
+    pieces_.clear();
+    const size_t n = breaks_.size() - 1;
+    for (size_t i = 0; i < n; ++i) {
+      Piece piece{breaks_[i], breaks_[i + 1], {}, closed || i > 0, closed || i + 1 < n};
+      if (piece.end - piece.begin < 4) continue;
+      fitPiece(edges_->points, sums_, &piece);
+      pieces_.push_back(piece);
+    }
+  }
+
   // The piece that touches piece i before (step -1) or after (step 1) it; null when there is none.
   const Piece* neighbour(PointRange range, bool closed, size_t i, int step) const {
     const size_t n = pieces_.size();
@@ -111,9 +136,9 @@ class TraceSegments {
     return piece.line.centre + piece.line.direction * piece.line.direction.dot(point - piece.line.centre);
   }
 
-  void addPiece(int trace, PointRange range, bool closed, size_t i, std::vector<LineSegment>* out) const {
+  void addPiece(int trace, PointRange range, bool closed, size_t i) const {
     const Piece& piece = pieces_[i];
-    const EdgePoint &head = edges_.points[piece.begin], &tail = edges_.points[piece.end - 1];
+    const EdgePoint &head = edges_->points[piece.begin], &tail = edges_->points[piece.end - 1];
     const int count = piece.end - piece.begin;
     LineSegment s;
     const double spacing = (tail.uv - head.uv).norm() / std::max(1, count - 1);
@@ -124,43 +149,27 @@ class TraceSegments {
     s.trace = trace;
     s.first = piece.begin;
     s.count = count;
-    for (int k = piece.begin; k < piece.end; ++k) s.contrast += edges_.points[k].gradient;
+    for (int k = piece.begin; k < piece.end; ++k) s.contrast += edges_->points[k].gradient;
     s.contrast /= count;
-    out->push_back(s);
+    out_->push_back(s);
   }
 
-  const LinkedEdges& edges_;
-  const double correlation_length_;
-  const FeatureOptions& options_;
-  TracePolygons& polygons_;
+  const FeatureOptions options_;
+  const LinkedEdges* edges_ = nullptr;
+  double correlation_length_ = 1;
+  TracePolygons* polygons_ = nullptr;
+  std::vector<LineSegment>* out_ = nullptr;
   LineSums sums_;
+  PolygonSplitter splitter_;
+  std::vector<int> breaks_;
   std::vector<Piece> pieces_;
 };
 
-}  // namespace
-
-std::vector<LineSegment> findSegments(const LinkedEdges& edges, const std::vector<PointRange>& taken,
-                                      double correlation_length, const FeatureOptions& options,
-                                      TracePolygons* polygons) {
-  std::vector<LineSegment> out;
-  TraceSegments segments(edges, correlation_length, options, polygons);
-  size_t next = 0;  // first taken range that may touch the trace
-  for (int t = 0; t < int(edges.traces.size()); ++t) {
-    const EdgeTrace& trace = edges.traces[t];
-    const int end = trace.first + trace.count;
-    int from = trace.first;
-    bool whole = true;
-    const auto add = [&](int to) {
-      if (to - from >= 4) segments.add(t, {from, to - from}, trace.closed && whole, &out);
-    };
-    for (; next < taken.size() && taken[next].first < end; ++next) {
-      whole = false;
-      add(taken[next].first);
-      from = std::max(from, taken[next].first + taken[next].count);
-    }
-    if (from < end) add(end);
-  }
-  return out;
+SegmentFinder::SegmentFinder(const FeatureOptions& options) : search_(std::make_unique<Search>(options)) {}
+SegmentFinder::~SegmentFinder() = default;
+void SegmentFinder::find(const LinkedEdges& edges, const std::vector<PointRange>& taken,
+                         double correlation_length, TracePolygons* polygons, std::vector<LineSegment>* out) {
+  search_->run(edges, taken, correlation_length, polygons, out);
 }
 
 }  // namespace monocular_eye_hand

@@ -54,37 +54,37 @@ double mergeTolerance(const std::vector<EdgePoint>& points, PointRange range, co
   return std::max(5 * meanSigma(points, range), options.split_tolerance);
 }
 
-std::vector<int> polygonBreaks(const std::vector<EdgePoint>& points, const LineSums& sums, PointRange range,
-                               double tolerance) {
-  std::vector<int> breaks{range.first};
-  std::vector<std::pair<int, int>> todo{{range.first, range.first + range.count - 1}};
-  while (!todo.empty()) {  // depth first, left part on top: breaks come out in order
-    const auto [begin, last] = todo.back();
-    todo.pop_back();
+void PolygonSplitter::split(const std::vector<EdgePoint>& points, const LineSums& sums, PointRange range,
+                            double tolerance, std::vector<int>* out) {
+  std::vector<int>& breaks = *out;
+  breaks.assign(1, range.first);
+  todo_.assign(1, {range.first, range.first + range.count - 1});
+  while (!todo_.empty()) {  // depth first, left part on top: breaks come out in order
+    const auto [begin, last] = todo_.back();
+    todo_.pop_back();
     const auto [middle, distance] = farthest(points, begin, last);
     if (distance > tolerance) {
-      todo.push_back({middle, last});
-      todo.push_back({begin, middle});
+      todo_.push_back({middle, last});
+      todo_.push_back({begin, middle});
     } else {
       breaks.push_back(last);
     }
   }
   breaks.back() = range.first + range.count;
   // A break is looked at again when it or one beside it has moved.
-  std::vector<char> moved(breaks.size(), 0);
+  moved_.assign(breaks.size(), 0);
   for (size_t i = 1; i + 1 < breaks.size(); ++i) {
     const int best = bestBreak(sums, breaks[i - 1], breaks[i], breaks[i + 1]);
-    moved[i] = best != breaks[i];
+    moved_[i] = best != breaks[i];
     breaks[i] = best;
   }
   bool moved_before = false;
   for (size_t i = 1; i + 1 < breaks.size(); ++i) {
-    if (!moved_before && !moved[i] && !moved[i + 1]) continue;
+    if (!moved_before && !moved_[i] && !moved_[i + 1]) continue;
     const int best = bestBreak(sums, breaks[i - 1], breaks[i], breaks[i + 1]);
     moved_before = best != breaks[i];
     breaks[i] = best;
   }
-  return breaks;
 }
 
 namespace {
@@ -104,8 +104,8 @@ double largestRunDistance(const std::vector<EdgePoint>& points, const LineFit& l
 
 }  // namespace
 
-void mergeBreaks(const std::vector<EdgePoint>& points, const LineSums& sums, double correlation_length,
-                 double tolerance, std::vector<int>* breaks) {
+void PolygonSplitter::merge(const std::vector<EdgePoint>& points, const LineSums& sums,
+                            double correlation_length, double tolerance, std::vector<int>* breaks) {
   // A break costs a description of two numbers and a place, about six nats each; chi2 counts neighbouring
   // points as independent, so it is divided by the correlation length, and by its own excess over the
   // prediction.
@@ -125,15 +125,15 @@ void mergeBreaks(const std::vector<EdgePoint>& points, const LineSums& sums, dou
         largestRunDistance(points, whole, first_shorter ? begin : middle, first_shorter ? middle : end);
     return most > tolerance ? kNever : std::max(0.0, 1e6 - rise);
   };
-  std::vector<double> gains(breaks->size(), kNever);
-  for (size_t i = 1; i + 1 < breaks->size(); ++i) gains[i] = gainAt(i);
+  gains_.assign(breaks->size(), kNever);
+  for (size_t i = 1; i + 1 < breaks->size(); ++i) gains_[i] = gainAt(i);
   while (breaks->size() > 2) {
-    const size_t best = size_t(std::max_element(gains.begin(), gains.end()) - gains.begin());
-    if (gains[best] < 0) break;
+    const size_t best = size_t(std::max_element(gains_.begin(), gains_.end()) - gains_.begin());
+    if (gains_[best] < 0) break;
     breaks->erase(breaks->begin() + best);
-    gains.erase(gains.begin() + best);
-    if (best > 1) gains[best - 1] = gainAt(best - 1);
-    if (best + 1 < breaks->size()) gains[best] = gainAt(best);
+    gains_.erase(gains_.begin() + best);
+    if (best > 1) gains_[best - 1] = gainAt(best - 1);
+    if (best + 1 < breaks->size()) gains_[best] = gainAt(best);
   }
 }
 

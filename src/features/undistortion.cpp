@@ -103,20 +103,21 @@ EdgePoint moved(const EdgePoint& raw, const Eigen::Vector2d& uv_rect, const Eige
 
 }  // namespace
 
-LinkedEdges undistortEdges(const LinkedEdges& raw, const Camera& camera, int min_trace_points) {
-  LinkedEdges out;
-  out.points.reserve(raw.points.size());
-  out.traces.reserve(raw.traces.size());
+void undistortEdges(const LinkedEdges& raw, const Camera& camera, int min_trace_points, LinkedEdges* out) {
+  out->points.clear();
+  out->traces.clear();
+  out->points.reserve(raw.points.size());
+  out->traces.reserve(raw.traces.size());
   Undistorter undistorter(camera);
   for (const EdgeTrace& trace : raw.traces) {
-    EdgeTrace now{int(out.points.size()), 0, trace.closed};
+    EdgeTrace now{int(out->points.size()), 0, trace.closed};
     const auto finish = [&] {
-      now.count = int(out.points.size()) - now.first;
+      now.count = int(out->points.size()) - now.first;
       if (now.count >= min_trace_points)
-        out.traces.push_back(now);
+        out->traces.push_back(now);
       else
-        out.points.resize(now.first);
-      now = {int(out.points.size()), 0, false};
+        out->points.resize(now.first);
+      now = {int(out->points.size()), 0, false};
     };
     bool follow = false;
     for (int i = trace.first; i < trace.first + trace.count; ++i) {
@@ -124,7 +125,7 @@ LinkedEdges undistortEdges(const LinkedEdges& raw, const Camera& camera, int min
       Eigen::Matrix2d jacobian;
       if (undistorter.solve(raw.points[i].uv.cast<double>(), follow, &uv_rect, &jacobian)) {
         follow = true;
-        out.points.push_back(moved(raw.points[i], uv_rect, jacobian));
+        out->points.push_back(moved(raw.points[i], uv_rect, jacobian));
       } else {
         follow = false;
         now.closed = false;
@@ -133,7 +134,6 @@ LinkedEdges undistortEdges(const LinkedEdges& raw, const Camera& camera, int min
     }
     finish();
   }
-  return out;
 }
 
 }  // namespace monocular_eye_hand

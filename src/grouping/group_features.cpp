@@ -18,7 +18,9 @@ std::vector<double> segmentWeights(const FeatureSet& f, const SegmentGrid& grid)
 std::vector<std::vector<int>> piecesOf(const FeatureSet& f) {
   std::vector<std::vector<int>> pieces;
   for (int s = 0; s < int(f.segments.size()); ++s) {
-    pieces.push_back(f.segments[s].pieces.empty() ? std::vector<int>{s} : f.segments[s].pieces);
+    const IndexRange joined = f.piecesOf(f.segments[s]);
+    pieces.emplace_back(joined.begin(), joined.end());
+    if (joined.empty()) pieces.back().push_back(s);
     std::sort(pieces.back().begin(), pieces.back().end());
   }
   return pieces;
@@ -29,10 +31,10 @@ std::vector<char> bridgedEnds(const FeatureSet& f) {
   std::vector<char> bridged(2 * f.segments.size(), 0);
   for (int s = 0; s < int(f.segments.size()); ++s) {
     const LineSegment& joined = f.segments[s];
-    if (joined.pieces.empty()) continue;
+    if (!joined.joined()) continue;
     const Eigen::Vector2d d = joined.direction();
     const double last = joined.length();
-    for (int piece : joined.pieces)
+    for (int piece : f.piecesOf(joined))
       for (int end : {2 * piece, 2 * piece + 1}) {
         const double at = d.dot(endPoint(f, end) - joined.p);
         if (at > 2.0 && at < last - 2.0) bridged[end] = 1;

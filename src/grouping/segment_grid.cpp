@@ -72,7 +72,7 @@ double SegmentGrid::endDensity(const Eigen::Vector2d& uv, double own) const {
   int count = 0;
   for (int y = b.y0; y <= b.y1; ++y)
     for (int x = b.x0; x <= b.x1; ++x)
-      for (int end : ends_[size_t(y) * columns_ + x]) count += features_.segments[end / 2].pieces.empty();
+      for (int end : ends_[size_t(y) * columns_ + x]) count += !features_.segments[end / 2].joined();
   const double area = cell_ * cell_ * (b.x1 - b.x0 + 1) * (b.y1 - b.y0 + 1);
   // Half an end more than counted: an empty neighbourhood is no proof that accidents cannot happen.
   return (std::max(0.0, count - own) + 0.5) / area;

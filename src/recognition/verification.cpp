@@ -147,7 +147,7 @@ void continuationTerm(const VerificationContext& context, const ObjectModel& mod
 void overhangTerm(const VerificationContext& context, Candidate* candidate) {
   double used_length = 0, left_over = 0;
   for (const LineSegment& segment : context.features.segments) {
-    if (!segment.pieces.empty()) continue;  // its pieces speak for it
+    if (segment.joined()) continue;  // its pieces speak for it
     const auto first = std::lower_bound(candidate->claimed.begin(), candidate->claimed.end(), segment.first);
     const auto last =
         std::lower_bound(candidate->claimed.begin(), candidate->claimed.end(), segment.first + segment.count);

@@ -160,7 +160,7 @@ class PageWriter {
            count(f.traces.size(), "edge trace", "edge traces") + ", " +
                count(f.points.size(), "point", "points"));
     size_t joined = 0;
-    for (const LineSegment& segment : f.segments) joined += segment.pieces.empty() ? 0 : 1;
+    for (const LineSegment& segment : f.segments) joined += segment.joined();
     figure("segments.png", segmentsPicture(search_grey_, f),
            count(f.segments.size() - joined, "straight segment", "straight segments") + " (yellow), " +
                std::to_string(joined) + " joined across gaps (blue)");

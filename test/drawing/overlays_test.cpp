@@ -58,7 +58,8 @@ FeatureSet someFeatures() {
   LineSegment plain{}, joined{};
   plain.p = {100, 120}, plain.q = {395, 120};
   joined.p = {100, 300}, joined.q = {250, 330};
-  joined.pieces = {0, 0};
+  joined.piece_count = 2;
+  features.joined_pieces = {0, 0};
   features.segments = {plain, joined};
   DetectedEllipse ellipse{};
   ellipse.ellipse = {{450, 300}, 60, 30, 0.4};

@@ -97,8 +97,30 @@ TEST(DetectFeatures, SameInputSameOutput) {
   for (size_t i = 0; i < a.segments.size(); ++i) {
     EXPECT_EQ(a.segments[i].p, b.segments[i].p);
     EXPECT_EQ(a.segments[i].q, b.segments[i].q);
-    EXPECT_EQ(a.segments[i].pieces, b.segments[i].pieces);
+    EXPECT_EQ(a.segments[i].piece_count, b.segments[i].piece_count);
   }
+  EXPECT_EQ(a.joined_pieces, b.joined_pieces);
+  EXPECT_EQ(a.ellipse_arcs, b.ellipse_arcs);
+}
+
+TEST(FeatureDetector, LeavesTheSetAloneWhenTheInputIsBad) {
+  std::mt19937 g(18);
+  Scene scene(90);
+  scene.add(randomPolygon(&g, {80, 60}, 40, 4, 200));
+  const Camera camera = testCamera(160, 120);
+  const cv::Mat image = scene.render(camera, 1, &g);
+  FeatureDetector first;
+  FeatureDetector detector = std::move(first);
+  FeatureSet features;
+  detector.detect(image, camera, &features);
+  const size_t points = features.points.size();
+  EXPECT_GT(points, 100u);
+  EXPECT_THROW(detector.detect(image, testCamera(320, 240), &features), BadInput);
+  EXPECT_THROW(detector.detect(cv::Mat(), camera, &features), BadInput);
+  EXPECT_EQ(features.points.size(), points);
+  FeatureOptions options;
+  options.min_trace_points = 0;
+  EXPECT_THROW(FeatureDetector{options}, BadInput);
 }
 
 // Every index points into its vector, every run into its trace, every number is finite.
@@ -119,11 +141,14 @@ void expectConsistent(const FeatureSet& f) {
     EXPECT_GE(first, f.traces[trace].first);
     EXPECT_LE(first + count, f.traces[trace].first + f.traces[trace].count);
   };
+  int pieces = 0, arcs = 0;
   for (const LineSegment& s : f.segments) {
     ASSERT_TRUE(s.p.allFinite() && s.q.allFinite());
     EXPECT_GT(s.sigma_offset, 0);
     EXPECT_GT(s.sigma_angle, 0);
-    if (s.pieces.empty()) in_trace(s.trace, s.first, s.count);
+    if (!s.joined()) in_trace(s.trace, s.first, s.count);
+    for (int piece : f.piecesOf(s)) EXPECT_FALSE(f.segments.at(size_t(piece)).joined());
+    pieces += s.piece_count;
   }
   for (const EllipticArc& a : f.arcs) in_trace(a.trace, a.first, a.count);
   for (const DetectedEllipse& e : f.ellipses) {
@@ -131,8 +156,11 @@ void expectConsistent(const FeatureSet& f) {
     EXPECT_TRUE(e.covariance.allFinite());
     EXPECT_GT(e.coverage, 0);
     EXPECT_LE(e.coverage, 1);
-    for (int arc : e.arcs) EXPECT_LT(size_t(arc), f.arcs.size());
+    for (int arc : f.arcsOf(e)) EXPECT_LT(size_t(arc), f.arcs.size());
+    arcs += e.arc_count;
   }
+  EXPECT_EQ(size_t(pieces), f.joined_pieces.size());
+  EXPECT_EQ(size_t(arcs), f.ellipse_arcs.size());
 }
 
 TEST(DetectFeatures, IndicesAreConsistentOnClutter) {

@@ -44,9 +44,11 @@ TEST(EdgePoints, AreTheMaximaAlongTheGradient) {
     for (int i = 0; i < rows * cols; ++i) image.data[i] = uchar(uniform(&g, 0, 255));
     FeatureOptions options;
     options.noise_factor = 0;
-    const EdgeMap edges = detectEdgePoints(image, options);
+    EdgeMap edges;
+    EdgeDetector(options).detect(image, &edges);
     const GradientKernel kernel = gradientKernel(options.smoothing_sigma);
-    GradientRows gradients(image, kernel);
+    GradientRows gradients(kernel);
+    gradients.start(image);
     cv::Mat dx(rows, cols, CV_32F), dy(rows, cols, CV_32F), m(rows, cols, CV_32F);
     for (int y = 0; y < rows; ++y) gradients.compute(y, dx.ptr<float>(y), dy.ptr<float>(y), m.ptr<float>(y));
     size_t next = 0;

@@ -7,23 +7,32 @@
 
 namespace monocular_eye_hand {
 
-/// Everything detected in an image as one row of numbers.
-inline std::vector<double> flatFeatures(const cv::Mat& grey) {
-  const FeatureSet features = detectFeatures(grey, testCamera(grey.cols, grey.rows));
-  std::vector<double> flat;
+/// Features as one row of numbers.
+inline std::vector<double> flat(const FeatureSet& features) {
+  std::vector<double> row;
   const auto put = [&](std::initializer_list<double> values) {
-    flat.insert(flat.end(), values.begin(), values.end());
+    row.insert(row.end(), values.begin(), values.end());
   };
   for (const EdgePoint& p : features.points)
     put({p.uv.x(), p.uv.y(), p.normal.x(), p.normal.y(), p.gradient, p.sigma, p.blur});
   for (const EdgeTrace& t : features.traces) put({double(t.first), double(t.count), double(t.closed)});
   for (const LineSegment& s : features.segments)
-    put({s.p.x(), s.p.y(), s.q.x(), s.q.y(), s.sigma_offset, s.sigma_angle, double(s.pieces.size())});
+    put({s.p.x(), s.p.y(), s.q.x(), s.q.y(), s.sigma_offset, s.sigma_angle, double(s.piece_count)});
+  for (const EllipticArc& a : features.arcs)
+    put({a.start, a.sweep, a.rms, double(a.trace), double(a.first), double(a.count)});
   for (const DetectedEllipse& e : features.ellipses) {
     put({e.ellipse.centre.x(), e.ellipse.centre.y(), e.ellipse.a, e.ellipse.b, e.ellipse.angle, e.coverage});
-    flat.insert(flat.end(), e.covariance.data(), e.covariance.data() + e.covariance.size());
+    row.insert(row.end(), e.covariance.data(), e.covariance.data() + e.covariance.size());
+    put({double(e.arc_count)});
   }
-  return flat;
+  row.insert(row.end(), features.joined_pieces.begin(), features.joined_pieces.end());
+  row.insert(row.end(), features.ellipse_arcs.begin(), features.ellipse_arcs.end());
+  return row;
+}
+
+/// Everything detected in an image.
+inline std::vector<double> flatFeatures(const cv::Mat& grey) {
+  return flat(detectFeatures(grey, testCamera(grey.cols, grey.rows)));
 }
 
 }  // namespace monocular_eye_hand

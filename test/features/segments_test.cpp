@@ -37,7 +37,7 @@ void score(const FeatureSet& features, const std::vector<Truth>& truth, Score* t
     for (size_t i = 0; i < features.segments.size(); ++i) {
       const LineSegment& s = features.segments[i];
       double from, to, offset;
-      if (!s.pieces.empty() || !matches(s, t, &from, &to, &offset)) continue;
+      if (s.joined() || !matches(s, t, &from, &to, &offset)) continue;
       right[i] = 1;
       ++fragments;
       covered += std::min(to, length) - std::max(from, 0.0);
@@ -57,7 +57,7 @@ void score(const FeatureSet& features, const std::vector<Truth>& truth, Score* t
     total->corner.push_back(end_error);
   }
   for (size_t i = 0; i < right.size(); ++i) {
-    if (!features.segments[i].pieces.empty()) continue;
+    if (features.segments[i].joined()) continue;
     ++total->detected;
     total->right += right[i];
   }
@@ -180,13 +180,13 @@ TEST(Segments, CollinearPiecesAreJoinedAcrossAGap) {
   bool plain_over = false;
   for (const LineSegment& s : features.segments) {
     double from, to, offset;
-    if (s.pieces.empty()) {
+    if (!s.joined()) {
       plain_over = plain_over || joined > 0;
       continue;
     }
-    for (int piece : s.pieces) {
+    for (int piece : features.piecesOf(s)) {
       ASSERT_LT(size_t(piece), features.segments.size());
-      EXPECT_TRUE(features.segments[piece].pieces.empty());
+      EXPECT_FALSE(features.segments[piece].joined());
     }
     if (matches(s, whole, &from, &to, &offset) && from < 3 && to > (whole.b - whole.a).norm() - 3) {
       ++joined;

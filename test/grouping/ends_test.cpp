@@ -77,7 +77,8 @@ FeatureSet joined() {
   addSegment(&f, {230, 200}, {330, 200});
   addSegment(&f, {99, 199}, {99, 100});
   const int whole = addSegment(&f, {100, 200}, {330, 200});
-  f.segments[whole].pieces = {0, 1};
+  f.segments[whole].piece_count = 2;
+  f.joined_pieces = {0, 1};
   return f;
 }
 

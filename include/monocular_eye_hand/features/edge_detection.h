@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -62,6 +63,15 @@ struct EdgeMap {
 
 /// Local maxima of the gradient magnitude along the gradient (Canny 1986), located by a parabola through the
 /// magnitude one step before and after along the gradient.
-EdgeMap detectEdgePoints(const cv::Mat& grey, const FeatureOptions& options);
+class EdgeDetector {
+ public:
+  explicit EdgeDetector(const FeatureOptions& options);
+  ~EdgeDetector();
+  void detect(const cv::Mat& grey, EdgeMap* out);
+
+ private:
+  class Scan;
+  std::unique_ptr<Scan> scan_;
+};
 
 }  // namespace monocular_eye_hand

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -37,8 +38,9 @@ struct LineSegment {
   double contrast = 0;              ///< mean gradient magnitude of its points [grey levels per pixel]
   int trace = -1;                   ///< the trace it was split from; -1 for one joined across a gap
   int first = 0, count = 0;         ///< its points in FeatureSet::points (of its longest piece when joined)
-  std::vector<int> pieces;  ///< segments that this one joins across explained gaps; empty for a plain one
+  int first_piece = 0, piece_count = 0;  ///< what it joins across explained gaps, see FeatureSet::piecesOf()
 
+  bool joined() const { return piece_count > 0; }
   Eigen::Vector2d direction() const { return (q - p).normalized(); }
   double length() const { return (q - p).norm(); }
 };
@@ -58,7 +60,21 @@ struct DetectedEllipse {
   double coverage = 0;                     ///< share of the circumference that has edge points, 0..1
   double rms = 0;                          ///< [px]
   bool bright_inside = false;
-  std::vector<int> arcs;
+  int first_arc = 0, arc_count = 0;  ///< see FeatureSet::arcsOf()
+};
+
+/// A run of indices that belongs to another vector.
+class IndexRange {
+ public:
+  IndexRange(const std::vector<int>& all, int first, int count)
+      : begin_(all.data() + first), end_(begin_ + count) {}
+  const int* begin() const { return begin_; }
+  const int* end() const { return end_; }
+  bool empty() const { return begin_ == end_; }
+  size_t size() const { return size_t(end_ - begin_); }
+
+ private:
+  const int *begin_, *end_;
 };
 
 /// What the seed's figures 3 and 4 split an image into.
@@ -67,8 +83,15 @@ struct FeatureSet {
   std::vector<EdgePoint> points;  ///< trace after trace
   std::vector<EdgeTrace> traces;
   std::vector<LineSegment> segments;  ///< plain ones first, then joined ones
+  std::vector<int> joined_pieces;     ///< indices of plain segments, joined segment after joined segment
   std::vector<EllipticArc> arcs;
   std::vector<DetectedEllipse> ellipses;
+  std::vector<int> ellipse_arcs;  ///< indices of arcs, ellipse after ellipse
+
+  /// The plain segments that a joined segment of this set joins, in order along it; none for a plain one.
+  IndexRange piecesOf(const LineSegment& s) const { return {joined_pieces, s.first_piece, s.piece_count}; }
+  /// The arcs that lie on an ellipse of this set.
+  IndexRange arcsOf(const DetectedEllipse& e) const { return {ellipse_arcs, e.first_arc, e.arc_count}; }
 };
 
 /// Defaults stand here and nowhere else.
@@ -102,7 +125,29 @@ struct FeatureOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
 };
 
-/// Detects edge traces, segments, arcs and ellipses in an 8-bit single-channel image.
+/// Detects edge traces, segments, arcs and ellipses in images, one after the other. Its buffers and those of
+/// the set it fills are used again: on images like those it has seen it allocates no memory.
+/// One detector serves one thread.
+class FeatureDetector {
+ public:
+  /// Throws BadInput when FeatureOptions::check() does.
+  explicit FeatureDetector(const FeatureOptions& options = {});
+  FeatureDetector(FeatureDetector&& other) noexcept;
+  FeatureDetector& operator=(FeatureDetector&& other) noexcept;
+  ~FeatureDetector();
+
+  /// Replaces what `out` holds by the features of an 8-bit single-channel image.
+  /// Throws BadInput when the image is empty, of another type, or of another size than the camera says; `out`
+  /// is as it was then.
+  void detect(const cv::Mat& grey, const Camera& camera, FeatureSet* out);
+
+ private:
+  struct Stages;
+  std::unique_ptr<Stages> stages_;
+};
+
+/// Detects edge traces, segments, arcs and ellipses in an 8-bit single-channel image; a FeatureDetector is
+/// faster for many images.
 /// Throws BadInput when the image is empty, of another type, or of another size than the camera says.
 FeatureSet detectFeatures(const cv::Mat& grey, const Camera& camera, const FeatureOptions& options = {});
 

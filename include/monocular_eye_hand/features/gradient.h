@@ -25,15 +25,17 @@ double imageNoise(const cv::Mat& grey);
 /// Gradients of an 8-bit image row after row; borders are replicated.
 class GradientRows {
  public:
-  GradientRows(const cv::Mat& grey, const GradientKernel& kernel);
+  /// Image and kernel have to stay while rows are asked for.
+  explicit GradientRows(const GradientKernel& kernel) : kernel_(kernel) {}
+  void start(const cv::Mat& grey);
   /// Computes row y into dx, dy, magnitude (each `cols` floats). Rows must be asked for in ascending order
   /// from 0.
   void compute(int y, float* dx, float* dy, float* magnitude);
 
  private:
   const float* row(int y);
-  const cv::Mat& grey_;
   const GradientKernel& kernel_;
+  const cv::Mat* grey_ = nullptr;
   int loaded_ = -1;                         // last image row in the ring
   std::vector<float> ring_;                 // 2 radius + 1 rows of floats
   std::vector<float> smooth_, derivative_;  // vertically filtered row, padded by radius on both sides

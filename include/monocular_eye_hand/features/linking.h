@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "monocular_eye_hand/features/edge_detection.h"
@@ -16,6 +17,15 @@ struct LinkedEdges {
 /// from both tangents). Traces that noise could make are dropped: with Rayleigh-distributed noise magnitudes,
 /// the expected number of traces as strong and long as this one in a noise image of this size must be below
 /// one (Desolneux, Moisan, Morel 2001).
-LinkedEdges linkEdges(const EdgeMap& edges, const FeatureOptions& options);
+class EdgeLinker {
+ public:
+  explicit EdgeLinker(const FeatureOptions& options);
+  ~EdgeLinker();
+  void link(const EdgeMap& edges, LinkedEdges* out);
+
+ private:
+  class Linking;
+  std::unique_ptr<Linking> linking_;
+};
 
 }  // namespace monocular_eye_hand
