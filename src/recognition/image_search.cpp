@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/recognition/alignment.h"
@@ -316,19 +317,11 @@ std::string ImageSearch::whyNothing() const {
   return reason;
 }
 
-void ImageSearch::report(const std::vector<ObjectEstimate>& previous) {
+void ImageSearch::report() {
   timed("decision", [&](StageReport* report) {
     for (const Explanation& e : chooseExplanations(candidates_)) {
       ObjectEstimate object =
           reportObject(models_, candidates_, e, options_, camera_, result_.groupings, result_.features);
-      for (const ObjectEstimate& old : previous)
-        if (old.object == object.object &&
-            (old.camera_from_object.translation - object.camera_from_object.translation).norm() <
-                models_[object.object].model().diameter) {
-          object.camera_from_object = nearestEqualPose(models_[object.object].model(),
-                                                       object.camera_from_object, old.camera_from_object);
-          break;
-        }
       (object.decision == Decision::kRejected ? result_.rejected : result_.objects)
           .push_back(std::move(object));
     }
@@ -342,6 +335,22 @@ void ImageSearch::report(const std::vector<ObjectEstimate>& previous) {
   });
 }
 
+// Of the poses that a part's symmetry makes equal, the one nearest to where it was.
+void ImageSearch::keepTurns(const std::vector<ObjectEstimate>& previous) {
+  for (ObjectEstimate& object : result_.objects) {
+    const ObjectModel& model = models_[object.object].model();
+    Rigid3& pose = object.camera_from_object;
+    const auto old = std::find_if(previous.begin(), previous.end(), [&](const ObjectEstimate& o) {
+      return o.object == object.object &&
+             (o.camera_from_object.translation - pose.translation).norm() < model.diameter;
+    });
+    if (old == previous.end()) continue;
+    const Rigid3 equal = nearestEqualPose(model, pose, old->camera_from_object);
+    object.covariance = carried(motionAtOffset(equal.translation - pose.translation), object.covariance);
+    pose = equal;
+  }
+}
+
 RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) {
   lookAtImage();
   for (const SearchModel& model : models_) pools_.emplace_back(camera_, model, options_);
@@ -351,8 +360,9 @@ RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) 
   result_.budget_spent = budget_.cutByWork();
   recalculateChosen();
 
-  report(previous);
+  report();
   refineReported();
+  keepTurns(previous);
   if (result_.objects.empty()) result_.reason = whyNothing();
   return std::move(result_);
 }

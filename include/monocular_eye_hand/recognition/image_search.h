@@ -40,8 +40,9 @@ class ImageSearch {
   bool found() const;
   std::string whyNothing() const;
   void recalculateChosen();  // seed 2.4: best four of the constellation
-  void report(const std::vector<ObjectEstimate>& previous);
-  void refineReported();  // in full resolution, feature against feature
+  void report();
+  void refineReported();
+  void keepTurns(const std::vector<ObjectEstimate>& previous);  // in full resolution, feature against feature
   void refine(const RectDomain& domain, const EdgeRaster& raster, double scale, ObjectEstimate* object) const;
   void timed(const char* stage, const std::function<void(StageReport*)>& work);
 
