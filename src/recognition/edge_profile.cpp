@@ -25,6 +25,7 @@ double median(std::vector<double> values) {
 
 EdgeProfiles::EdgeProfiles(const std::vector<EdgeLook>& looks) {
   std::vector<double> blurs;
+  blurs.reserve(looks.size());
   for (const EdgeLook& look : looks) blurs.push_back(look.blur);
   std::sort(blurs.begin(), blurs.end());
   if (blurs.empty()) return;

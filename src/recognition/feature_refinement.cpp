@@ -26,7 +26,7 @@ constexpr double kHeld = 1e9;  // information about a free axis while it is held
 constexpr double kUsualSpread = 0.1, kExcessShare = 0.8;  // [px]
 // What a pose that has locked to wrong edges does not know of itself grows with the residuals' spread:
 // measured, the covariance has to be as many times wider as the spread is than this [px].
-constexpr double kHonestSpread = 0.09;
+constexpr double kHonestSpread = 0.095;
 
 struct Sample {
   Eigen::Vector2d uv;
@@ -139,6 +139,7 @@ SamplesByFeature usableSamples(const Rigid3& pose, const Camera& camera,
 
 std::vector<EdgeLook> looksOf(const std::vector<Sample>& samples) {
   std::vector<EdgeLook> looks;
+  looks.reserve(samples.size());
   for (const Sample& s : samples) looks.push_back(s.look);
   return looks;
 }
