@@ -1,4 +1,4 @@
-"""Plots as SVG, without any library: curves over logarithmic or linear axes."""
+"""Plots as SVG, without any library: curves over logarithmic or linear axes, bars in groups."""
 import math
 from xml.sax.saxutils import escape
 
@@ -50,36 +50,71 @@ def linear_plot(curves, title, x_label, y_label):
     return plot(curves, title, x_label, y_label, LinearAxis)
 
 
+def bar_plot(groups, title, y_label, axis=LinearAxis):
+    """SVG text of {group: {series: value}}; every group has the same series. On a logarithmic axis 0 is no bar."""
+    series = list(next(iter(groups.values())))
+    values = [value for bars in groups.values() for value in bars.values()]
+    y_axis = axis([value for value in values if value > 0] if axis is LogAxis else [0.0, *values])
+    left, right, bottom = LEFT, WIDTH - RIGHT, HEIGHT - BOTTOM
+    svg = frame(title, "", y_label, y_axis)
+    slot = (right - left) / len(groups)
+    width = 0.8 * slot / len(series)
+    for g, (group, bars) in enumerate(groups.items()):
+        for i, name in enumerate(series):
+            x, value = left + (g + 0.1) * slot + i * width, bars[name]
+            height = max(0.0, y_axis.place(value)) * (bottom - TOP) if value > 0 else 0.0
+            svg.append(f'<rect x="{x:.1f}" y="{bottom - height:.1f}" width="{width:.1f}" height="{height:.1f}" '
+                       f'fill="{COLOURS[i % len(COLOURS)]}"/>')
+            svg.append(f'<text x="{x + width / 2:.1f}" y="{bottom - height - 4:.1f}" text-anchor="middle" '
+                       f'font-size="9">{value:.3g}</text>')
+        x, y = left + (g + 0.5) * slot, bottom + 18
+        how = (f'text-anchor="end" font-size="11" transform="rotate(-30 {x:.1f} {y})"' if len(groups) > 5
+               else 'text-anchor="middle"')
+        svg.append(f'<text x="{x:.1f}" y="{y}" {how}>{escape(group)}</text>')
+    return "\n".join(svg + legend(series) + ["</svg>"]) + "\n"
+
+
 def plot(curves, title, x_label, y_label, axis):
     x_axis, y_axis = (axis([point[k] for points in curves.values() for point in points]) for k in (0, 1))
+    left, right, bottom = LEFT, WIDTH - RIGHT, HEIGHT - BOTTOM
 
     def place(x, y):
-        return (LEFT + x_axis.place(x) * (WIDTH - LEFT - RIGHT),
-                HEIGHT - BOTTOM - y_axis.place(y) * (HEIGHT - TOP - BOTTOM))
+        return left + x_axis.place(x) * (right - left), bottom - y_axis.place(y) * (bottom - TOP)
 
-    left, right, bottom = LEFT, WIDTH - RIGHT, HEIGHT - BOTTOM
-    svg = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
-           'font-size="13">', f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
-           f'<text x="{LEFT}" y="24" font-size="15">{escape(title)}</text>']
+    svg = frame(title, x_label, y_label, y_axis)
     for value, text in x_axis.ticks():
         x = left + x_axis.place(value) * (right - left)
         svg.append(f'<line x1="{x:.1f}" y1="{TOP}" x2="{x:.1f}" y2="{bottom}" stroke="#ddd"/>')
         svg.append(f'<text x="{x:.1f}" y="{bottom + 18}" text-anchor="middle">{text}</text>')
-    for value, text in y_axis.ticks():
-        y = bottom - y_axis.place(value) * (bottom - TOP)
-        svg.append(f'<line x1="{left}" y1="{y:.1f}" x2="{right}" y2="{y:.1f}" stroke="#ddd"/>')
-        svg.append(f'<text x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">{text}</text>')
-    for i, (name, points) in enumerate(curves.items()):
+    for i, points in enumerate(curves.values()):
         colour = COLOURS[i % len(COLOURS)]
         path = " ".join(f"{x:.1f},{y:.1f}" for x, y in (place(*point) for point in points))
         svg.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="2"/>')
         for x, y in (place(*point) for point in points):
             svg.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{colour}"/>')
-        y = TOP + 16 + 22 * i
-        svg.append(f'<line x1="{right + 14}" y1="{y - 4}" x2="{right + 38}" y2="{y - 4}" '
-                   f'stroke="{colour}" stroke-width="2"/>')
-        svg.append(f'<text x="{right + 44}" y="{y}">{escape(name)}</text>')
-    svg.append(f'<text x="{(left + right) / 2}" y="{HEIGHT - 16}" text-anchor="middle">{escape(x_label)}</text>')
-    middle = (TOP + bottom) / 2
-    svg.append(f'<text x="22" y="{middle}" text-anchor="middle" transform="rotate(-90 22 {middle})">{escape(y_label)}</text>')
-    return "\n".join(svg + ["</svg>"]) + "\n"
+    return "\n".join(svg + legend(curves) + ["</svg>"]) + "\n"
+
+
+def frame(title, x_label, y_label, y_axis):
+    """The plot's opening: white ground, title, labels, the lines and numbers of its y axis."""
+    left, right, bottom, middle = LEFT, WIDTH - RIGHT, HEIGHT - BOTTOM, (TOP + HEIGHT - BOTTOM) / 2
+    svg = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
+           'font-size="13">', f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
+           f'<text x="{LEFT}" y="24" font-size="15">{escape(title)}</text>',
+           f'<text x="{(left + right) / 2}" y="{HEIGHT - 16}" text-anchor="middle">{escape(x_label)}</text>',
+           f'<text x="22" y="{middle}" text-anchor="middle" transform="rotate(-90 22 {middle})">{escape(y_label)}</text>']
+    for value, text in y_axis.ticks():
+        y = bottom - y_axis.place(value) * (bottom - TOP)
+        svg.append(f'<line x1="{left}" y1="{y:.1f}" x2="{right}" y2="{y:.1f}" stroke="#ddd"/>')
+        svg.append(f'<text x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">{text}</text>')
+    return svg
+
+
+def legend(names):
+    svg = []
+    for i, name in enumerate(names):
+        y, x = TOP + 16 + 22 * i, WIDTH - RIGHT + 14
+        svg.append(f'<line x1="{x}" y1="{y - 4}" x2="{x + 24}" y2="{y - 4}" '
+                   f'stroke="{COLOURS[i % len(COLOURS)]}" stroke-width="2"/>')
+        svg.append(f'<text x="{x + 30}" y="{y}">{escape(name)}</text>')
+    return svg

@@ -1,5 +1,6 @@
 """Poses from three points: error, completeness and soundness on sets of problems, beside OpenCV's AP3P."""
 from figures import Figure
+from plots import LogAxis, bar_plot
 
 PEER = "OpenCV AP3P"
 # set: (counter, what the counter's share is called, target)
@@ -30,6 +31,10 @@ def figures(bench):
         yield Figure(f"{name}: median error", scores[name]["ours_median"], "", None, PEER, scores[name]["peer_median"])
         yield Figure(f"{name}: error, 99.9 %", scores[name]["ours_p999"], "", None, PEER, scores[name]["peer_p999"])
     yield from over_all_sets(scores)
+    shares = {name: {who: score[f"{key}_over1e6"] / score["problems"] for who, key in (("ours", "ours"), (PEER, "peer"))}
+              for name, score in scores.items() if name in SETS and not name.startswith("symmetric")}
+    (bench.out / "p3p_accuracy.svg").write_text(
+        bar_plot(shares, "Poses from three points: error above 1e-6", "share of the problems", LogAxis), encoding="utf-8")
 
 
 def over_all_sets(scores):
