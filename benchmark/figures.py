@@ -97,6 +97,10 @@ class Bench:
         return {result["run_name"]: result for result in results
                 if result["repetitions"] == 1 or result.get("aggregate_name") == "median"}
 
+    def plot(self, row, svg):
+        """Leaves a row's plot in `out`."""
+        (self.out / f"{row}.svg").write_text(svg, encoding="utf-8")
+
     def data(self, name):
         root = os.environ.get("MONOCULAR_EYE_HAND_DATA")
         if not root:

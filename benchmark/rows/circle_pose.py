@@ -25,6 +25,5 @@ def figures(bench):
     middles = {low: (max(float(low), 1e-3) * float(high)) ** 0.5 for low, high in ranges}
     curves = {name: [(middles[low], results[low][key]) for low, _ in ranges]
               for name, key in (("worst of 20000", "worst"), ("median", "median"))}
-    (bench.out / "circle_pose.svg").write_text(
-        log_plot(curves, "Circle and point without noise: rounding of the pose", "tilt [degrees]", "error"),
-        encoding="utf-8")
+    bench.plot("circle_pose", log_plot(curves, "Circle and point without noise: rounding of the pose",
+                                       "tilt [degrees]", "error"))

@@ -23,5 +23,4 @@ def figures(bench):
                          f">= {run[peer + '_covered']:.4f}", peer, run[peer + "_covered"],
                          f"{how}; of ours the ellipses and longest segments, in every image as many as the peer finds")
             yield Figure(f"segments + ellipses, {name}, beside {peer}", run["ours_features"], "", None, peer, run[peer + "_features"], "median per image")
-    (bench.out / "edge_coverage.svg").write_text(
-        bar_plot(covered, "Visible model edges covered by segments and ellipses", "share"), encoding="utf-8")
+    bench.plot("edge_coverage", bar_plot(covered, "Visible model edges covered by segments and ellipses", "share"))

@@ -22,5 +22,4 @@ def figures(bench):
     yield Figure("time, peer's ellipses alone", time["ours_ms"], "ms", None, "EdgeDrawing", time["peer_ms"], how)
     curves = {f"{of}, {name}": [(k, run[f"{of}_{k}"]) for k in range(0, 60, 10)]
               for of in ("recall", "precision") for name, run in (("ours", ours), ("EdgeDrawing", peer))}
-    (bench.out / "ellipses.svg").write_text(
-        linear_plot(curves, "Ellipses hidden in part", "hidden share of the ellipse [%]", "share"), encoding="utf-8")
+    bench.plot("ellipses", linear_plot(curves, "Ellipses hidden in part", "hidden share of the ellipse [%]", "share"))

@@ -19,6 +19,5 @@ def figures(bench):
                          conditions=how)
         yield Figure(f"{what.lower()}s: reported over actual sigma, widest parameter", run["sharpness"], "", "<= 1.3",
                      conditions=f"{how}; medians; narrowest parameter {run['sharpness_least']:.2f}")
-    (bench.out / "feature_covariance.svg").write_text(
-        linear_plot(curves, "Errors within the reported ellipsoids", "ellipsoid [%]", "errors inside [%]"),
-        encoding="utf-8")
+    bench.plot("feature_covariance", linear_plot(curves, "Errors within the reported ellipsoids",
+                                                 "ellipsoid [%]", "errors inside [%]"))

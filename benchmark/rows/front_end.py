@@ -30,5 +30,4 @@ def figures(bench):
                 yield Figure(f"{stage.replace('_', ' ')}, {label}", run[f"{stage}_ms"], "ms", conditions=conditions)
         yield Figure(f"time per pixel, largest size over smallest, {name}", per_pixel[-1] / per_pixel[0], "", "<= 1.1",
                      conditions="images enlarged by cubic interpolation")
-    (bench.out / "front_end.svg").write_text(
-        log_plot(growth, "Lines and ellipses of an image", "pixels", "median time [ms]"), encoding="utf-8")
+    bench.plot("front_end", log_plot(growth, "Lines and ellipses of an image", "pixels", "median time [ms]"))

@@ -33,8 +33,8 @@ def figures(bench):
     yield from over_all_sets(scores)
     shares = {name: {who: score[f"{key}_over1e6"] / score["problems"] for who, key in (("ours", "ours"), (PEER, "peer"))}
               for name, score in scores.items() if name in SETS and not name.startswith("symmetric")}
-    (bench.out / "p3p_accuracy.svg").write_text(
-        bar_plot(shares, "Poses from three points: error above 1e-6", "share of the problems", LogAxis), encoding="utf-8")
+    bench.plot("p3p_accuracy", bar_plot(shares, "Poses from three points: error above 1e-6",
+                                        "share of the problems", LogAxis))
 
 
 def over_all_sets(scores):

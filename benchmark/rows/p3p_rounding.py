@@ -19,9 +19,8 @@ def figures(bench):
     curves = {}
     for line in lines:
         curves.setdefault(line["solver"], []).append((float(line["distance"]), float(line["median"])))
-    (bench.out / "p3p_rounding.svg").write_text(
-        log_plot(curves, "Three exact points: rounding of the pose", "distance / longest side",
-                 "median error (1: none found)"), encoding="utf-8")
+    bench.plot("p3p_rounding", log_plot(curves, "Three exact points: rounding of the pose",
+                                        "distance / longest side", "median error (1: none found)"))
     for distance in SHOWN:
         at = {line["solver"]: line for line in lines if line["distance"] == distance}
         ours = at.pop("solveP3P")

@@ -16,5 +16,4 @@ def figures(bench):
         yield Figure(f"share of AP3P's time, {name}", ours / peer, "", target, PEER, conditions=how)
         yield Figure(f"one solve, {name}", ours, "ns", None, PEER, peer,
                      f"{how}; the peer's call with its conversions of rotations, as a caller pays it")
-    (bench.out / "p3p_time.svg").write_text(
-        bar_plot(times, "Poses from three points, all solutions", "time of one solve [ns]", LogAxis), encoding="utf-8")
+    bench.plot("p3p_time", bar_plot(times, "Poses from three points, all solutions", "time of one solve [ns]", LogAxis))

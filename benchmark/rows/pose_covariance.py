@@ -26,9 +26,8 @@ def figures(bench):
     curves = {"honest": [(level, level) for level in LEVELS]}
     for part, lines in parts.items():
         curves[part] = list(zip(LEVELS, within(lines)))
-    (bench.out / "pose_covariance.svg").write_text(
-        linear_plot(curves, "Pose errors within the reported ellipsoids", "ellipsoid [%]", "errors inside [%]"),
-        encoding="utf-8")
+    bench.plot("pose_covariance", linear_plot(curves, "Pose errors within the reported ellipsoids",
+                                              "ellipsoid [%]", "errors inside [%]"))
     yield from of_part("all parts", [line for lines in parts.values() for line in lines], POSES * len(parts), True)
     for part, lines in parts.items():
         yield from of_part(part, lines, POSES, False)

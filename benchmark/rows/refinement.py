@@ -24,5 +24,4 @@ def figures(bench):
                      end["peer_excess"], f"largest of 400; the peer's: its largest above ours; "
                                          f"median rms {end['median_rms']:.6f} px")
         yield Figure(f"not converged, {points} points", end["unconverged"], "", target and "<= 0", conditions=how)
-    (bench.out / "refinement.svg").write_text(
-        bar_plot(times, "Refinement of a pose", "time [us]"), encoding="utf-8")
+    bench.plot("refinement", bar_plot(times, "Refinement of a pose", "time [us]"))

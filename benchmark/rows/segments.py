@@ -25,5 +25,4 @@ def figures(bench):
                     target = targets.get(key) if d == 1 and not exact else None
                     yield Figure(f"{key.removesuffix('_deg')}, {label}" + ("" if d == 1 else f", beside {peer}"), ours[key],
                                  unit, target, peer, runs[d][key], how)
-    (bench.out / "segments.svg").write_text(
-        bar_plot(corners, "Corners of polygons from line segments", "median error [px]"), encoding="utf-8")
+    bench.plot("segments", bar_plot(corners, "Corners of polygons from line segments", "median error [px]"))

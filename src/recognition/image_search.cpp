@@ -336,19 +336,17 @@ void ImageSearch::report() {
 }
 
 // Of the poses that a part's symmetry makes equal, the one nearest to where it was.
-void ImageSearch::keepTurns(const std::vector<ObjectEstimate>& previous) {
-  for (ObjectEstimate& object : result_.objects) {
-    const ObjectModel& model = models_[object.object].model();
-    Rigid3& pose = object.camera_from_object;
-    const auto old = std::find_if(previous.begin(), previous.end(), [&](const ObjectEstimate& o) {
-      return o.object == object.object &&
-             (o.camera_from_object.translation - pose.translation).norm() < model.diameter;
-    });
-    if (old == previous.end()) continue;
-    const Rigid3 equal = nearestEqualPose(model, pose, old->camera_from_object);
-    object.covariance = carried(motionAtOffset(equal.translation - pose.translation), object.covariance);
-    pose = equal;
-  }
+void ImageSearch::keepTurn(const std::vector<ObjectEstimate>& previous, ObjectEstimate* object) const {
+  const ObjectModel& model = models_[object->object].model();
+  Rigid3& pose = object->camera_from_object;
+  const auto old = std::find_if(previous.begin(), previous.end(), [&](const ObjectEstimate& o) {
+    return o.object == object->object &&
+           (o.camera_from_object.translation - pose.translation).norm() < model.diameter;
+  });
+  if (old == previous.end()) return;
+  const Rigid3 equal = nearestEqualPose(model, pose, old->camera_from_object);
+  object->covariance = carried(motionAtOffset(equal.translation - pose.translation), object->covariance);
+  pose = equal;
 }
 
 RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) {
@@ -362,7 +360,8 @@ RecognitionResult ImageSearch::run(const std::vector<ObjectEstimate>& previous) 
 
   report();
   refineReported();
-  keepTurns(previous);
+  for (std::vector<ObjectEstimate>* objects : {&result_.objects, &result_.rejected})
+    for (ObjectEstimate& object : *objects) keepTurn(previous, &object);
   if (result_.objects.empty()) result_.reason = whyNothing();
   return std::move(result_);
 }

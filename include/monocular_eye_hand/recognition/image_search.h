@@ -41,8 +41,8 @@ class ImageSearch {
   std::string whyNothing() const;
   void recalculateChosen();  // seed 2.4: best four of the constellation
   void report();
-  void refineReported();
-  void keepTurns(const std::vector<ObjectEstimate>& previous);  // in full resolution, feature against feature
+  void refineReported();  // in full resolution, feature against feature
+  void keepTurn(const std::vector<ObjectEstimate>& previous, ObjectEstimate* object) const;
   void refine(const RectDomain& domain, const EdgeRaster& raster, double scale, ObjectEstimate* object) const;
   void timed(const char* stage, const std::function<void(StageReport*)>& work);
 
