@@ -106,6 +106,6 @@ function(ros_test file)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   string(REPLACE "/" "_" folder ${folder})
   set_tests_properties(_ctest_${PROJECT_NAME}_rostest_${folder}_${name} PROPERTIES
-    RUN_SERIAL TRUE TIMEOUT 300 LABELS nodes
+    RUN_SERIAL TRUE TIMEOUT 600 LABELS nodes
     ENVIRONMENT "ROS_HOME=${PROJECT_BINARY_DIR}/ros_home;ROS_IP=127.0.0.1;ROS_HOSTNAME=127.0.0.1")
 endfunction()

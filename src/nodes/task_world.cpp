@@ -1,6 +1,8 @@
 #include "nodes/task_world.h"
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -19,9 +21,10 @@ const char kPick[] = "planner/pick";
 const char kPlace[] = "planner/place";
 const char kMove[] = "planner/move";
 const ros::WallDuration kPoll(0.05), kTick(0.005);
-constexpr double kSlowTopic = 0.2;    // the objects may come so much later than the answer [s, wall clock]
-constexpr double kSlowEyeHand = 1.0;  // ... and their view after them
-constexpr int kRefusedViews = 3;      // in a row: waiting on helps no more
+constexpr double kSlowTopic = 0.2;       // the objects may come so much later than the answer [s, wall clock]
+constexpr double kSlowEyeHand = 1.0;     // ... and their view after them
+constexpr int kRefusedViews = 3;         // in a row: waiting on helps no more
+const ros::Duration kOneClock(86400.0);  // stamps of one clock do not lie further apart
 
 // One function reads all results: the planner's outcomes have the same numbers in Pick, Place and Move.
 constexpr bool same(int a, int b, int c) { return a == b && b == c; }
@@ -47,6 +50,12 @@ TaskPickOutcome outcomeOf(uint8_t code) {
     default:
       return TaskPickOutcome::kFault;
   }
+}
+
+std::string seconds(const ros::Time& stamp) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << stamp.toSec() << " s";
+  return text.str();
 }
 
 /// Something that goes on beside this scope, and is told when that is enough.
@@ -96,6 +105,12 @@ TaskPick execute(Client* client, const char* action, const Goal& goal, const Tas
   if (!result) return fault("ended without a result: " + client->getState().getText());
   if (client->getState() == actionlib::SimpleClientGoalState::REJECTED)
     return fault("refused the goal: " + client->getState().getText());
+  // The server itself drops a goal whose stamp is before the last one's, with an empty result, which says
+  // DONE.
+  if (outcomeOf(result->outcome) == TaskPickOutcome::kDone &&
+      client->getState() != actionlib::SimpleClientGoalState::SUCCEEDED)
+    return fault("dropped the goal (" + client->getState().toString() + ": " + client->getState().getText() +
+                 "): is there another client, or one with another clock?");
   return {outcomeOf(result->outcome), result->reason};
 }
 
@@ -240,8 +255,14 @@ std::string RosTaskWorld::silence(const ros::Time& after) const {
   std::string who;
   if (recognized_subscriber_.getNumPublishers() == 0)
     who = "nobody publishes " + recognized + ": is the node recognizer running?";
-  else if (recognized_ < after)
+  else if (recognized_.isZero())
     who = recognized + " is silent: does the camera send images to the recognizer?";
+  else if (recognized_ < after)
+    who = recognized + " last answered for an image of " + seconds(recognized_) +
+          ", the camera stands still since " + seconds(after) + ": " +
+          (after - recognized_ > kOneClock
+               ? "do the nodes share one clock? use_sim_time must be set before they start"
+               : "does the camera send images to the recognizer?");
   else if (objects_subscriber_.getNumPublishers() == 0)
     who = "nobody publishes " + located + ": is the node eye_hand running?";
   else
