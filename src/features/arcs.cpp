@@ -208,7 +208,10 @@ class ArcFinder::Search {
     const EllipseFrame frame(a.ellipse);
     a.start = frame.eccentricAngle(edges_->points[arc.begin].uv.cast<double>());
     double last = a.start;
-    for (int i = arc.begin + 1; i < arc.end; ++i) {
+    // The angle grows by at most the way over the minor axis: in strides below pi no turn is lost.
+    const int stride = std::max(1, int(a.ellipse.b));
+    for (int i = arc.begin; i + 1 < arc.end;) {
+      i = std::min(i + stride, arc.end - 1);
       const double now = frame.eccentricAngle(edges_->points[i].uv.cast<double>());
       a.sweep += wrap(now - last);
       last = now;

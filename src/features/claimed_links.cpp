@@ -64,8 +64,8 @@ void claim(int i, int order, Neighbours* neighbours, EdgeLinks* links) {
 void linkByClaims(const EdgeMap& edges, const std::vector<Choices>& choices, EdgeLinks* links) {
   const int n = int(edges.points.size());
   for (int i = 0; i < n; ++i) {
-    const bool ahead = links->next[i] < 0 && choices[i].ahead.point >= 0,
-               behind = links->previous[i] < 0 && choices[i].behind.point >= 0;
+    const bool ahead = links->next[i] < 0 && choices[i].ahead.made(),
+               behind = links->previous[i] < 0 && choices[i].behind.made();
     if (!ahead && !behind) continue;
     Neighbours neighbours(edges, i);
     if (ahead) claim(i, 1, &neighbours, links);

@@ -1,6 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "monocular_eye_hand/features/edge_detection.h"
@@ -31,7 +34,7 @@ struct EdgeLinks {
   }
 };
 
-/// Whether q continues p (order 1), p continues q (-1) or neither (0), and what the link would cost: distance
+/// Whether q continues p (order 1), p continues q (-1) or neither (0), and what a link would cost: distance
 /// plus departure from both tangents.
 struct PairLink {
   int order = 0;
@@ -42,26 +45,45 @@ inline PairLink linkOf(const EdgePoint& p, const EdgePoint& q) {
   const float dx = q.uv.x() - p.uv.x(), dy = q.uv.y() - p.uv.y();
   const float px = p.normal.x(), py = p.normal.y(), qx = q.normal.x(), qy = q.normal.y();
   const float forward_p = px * dy - py * dx, forward_q = qx * dy - qy * dx;
-  const bool after = forward_p >= kLeastStep && forward_q >= kLeastStep;
-  const bool before = forward_p <= -kLeastStep && forward_q <= -kLeastStep;
-  if (!(after || before) || px * qx + py * qy < kLeastCosine) return {};
+  // Which holds cannot be foreseen: everything is computed, nothing branches.
+  const int after = int(forward_p >= kLeastStep) & int(forward_q >= kLeastStep);
+  const int before = int(forward_p <= -kLeastStep) & int(forward_q <= -kLeastStep);
+  const int alike = int(px * qx + py * qy >= kLeastCosine);
   const float aside = std::fabs(px * dx + py * dy) + std::fabs(qx * dx + qy * dy);
-  return {after ? 1 : -1, std::sqrt(dx * dx + dy * dy) + kAsideWeight * aside};
+  return {(after - before) * alike, std::sqrt(dx * dx + dy * dy) + kAsideWeight * aside};
 }
 
-/// The cheapest neighbour of a point on one side.
-struct Choice {
-  int point = -1;
-  float cost = EdgeLinks::kNone;
-  void consider(int candidate, float candidate_cost) {
-    if (candidate_cost < cost) point = candidate, cost = candidate_cost;
+/// The cheapest neighbour of a point on one side; of two that cost the same, the first. Cost and point in one
+/// number, because which is cheaper cannot be foreseen and a minimum needs no branch.
+class Choice {
+ public:
+  using Key = uint64_t;
+  static constexpr Key kNobody = Key(-1);
+  // The bits of positive floats are in the order of their values.
+  static Key keyOf(int point, float cost) {
+    uint32_t bits;
+    std::memcpy(&bits, &cost, sizeof(bits));
+    return Key(bits) << 32 | uint32_t(point);
   }
+  void consider(Key candidate) { key_ = std::min(key_, candidate); }
+  bool made() const { return key_ != kNobody; }
+  int point() const { return int(uint32_t(key_)); }
+  float cost() const {
+    const uint32_t bits = uint32_t(key_ >> 32);
+    float cost;
+    std::memcpy(&cost, &bits, sizeof(cost));
+    return cost;
+  }
+
+ private:
+  Key key_ = kNobody;
 };
 struct Choices {
   Choice ahead, behind;
   void consider(int candidate, const PairLink& pair) {
-    if (pair.order > 0) ahead.consider(candidate, pair.cost);
-    if (pair.order < 0) behind.consider(candidate, pair.cost);
+    const Choice::Key key = Choice::keyOf(candidate, pair.cost);
+    ahead.consider(pair.order > 0 ? key : Choice::kNobody);
+    behind.consider(pair.order < 0 ? key : Choice::kNobody);
   }
 };
 

@@ -44,9 +44,14 @@ Eigen::Matrix<double, 1, 5> EllipseFrame::distanceJacobian(const Eigen::Vector2d
   return jacobianAt(e_, cosine_, sine_, localAt(e_, cosine_, sine_, uv)).transpose();
 }
 
-double EllipseFrame::eccentricAngle(const Eigen::Vector2d& uv) const {
+Eigen::Vector2d EllipseFrame::onUnitCircle(const Eigen::Vector2d& uv) const {
   const Eigen::Vector2d d = uv - e_.centre;
-  return std::atan2((-sine_ * d.x() + cosine_ * d.y()) / e_.b, (cosine_ * d.x() + sine_ * d.y()) / e_.a);
+  return {(cosine_ * d.x() + sine_ * d.y()) / e_.a, (-sine_ * d.x() + cosine_ * d.y()) / e_.b};
+}
+
+double EllipseFrame::eccentricAngle(const Eigen::Vector2d& uv) const {
+  const Eigen::Vector2d on_circle = onUnitCircle(uv);
+  return std::atan2(on_circle.y(), on_circle.x());
 }
 
 double circumference(const Ellipse& e) {

@@ -13,6 +13,22 @@ namespace {
 constexpr int kMaxJointFits = 24;  // per seed, so that a wall of arcs stays affordable
 constexpr int kFitPoints = 240;
 
+// Length of arc per eccentric angle [px/rad].
+double arcPerAngle(const Ellipse& e, double cosine, double sine) {
+  return std::sqrt(e.a * e.a * sine * sine + e.b * e.b * cosine * cosine);
+}
+
+struct UnitCircle {  // the middles of equal steps
+  static constexpr int kBins = 64;
+  double cosine[kBins], sine[kBins];
+  UnitCircle() {
+    for (int b = 0; b < kBins; ++b) {
+      const double t = 2 * M_PI * (b + 0.5) / kBins;
+      cosine[b] = std::cos(t), sine[b] = std::sin(t);
+    }
+  }
+};
+
 }  // namespace
 
 class ArcJoiner::Joining {
@@ -153,19 +169,20 @@ class ArcJoiner::Joining {
     return one;
   }
 
-  // Share of the circumference, in 64 equal steps of arc length, that has points of the group.
+  // Share of the circumference, in 64 equal steps of the eccentric angle, that has points of the group.
   double coverage(const Ellipse& e) const {
-    constexpr int kBins = 64;
+    static const UnitCircle circle;
+    constexpr int kBins = UnitCircle::kBins;
     bool hit[kBins] = {};
     const EllipseFrame frame(e);
     for (int i : group_) {
       const int n = arc(i).count;
       for (int k = 0; k < n; ++k) {
-        const Eigen::Vector2d uv = point(arc(i).first + k).uv.cast<double>();
+        const Eigen::Vector2d on_circle =
+            frame.onUnitCircle(point(arc(i).first + k).uv.cast<double>()).normalized();
+        const double t = std::atan2(on_circle.y(), on_circle.x());
         // Mark the stretch that one point stands for, so that small ellipses fill their bins.
-        const double t = frame.eccentricAngle(uv);
-        const double speed = std::hypot(e.a * std::sin(t), e.b * std::cos(t));
-        const double half = 0.6 / std::max(1e-6, speed);
+        const double half = 0.6 / std::max(1e-6, arcPerAngle(e, on_circle.x(), on_circle.y()));
         const int from = int(std::floor((t - half) / (2 * M_PI) * kBins));
         const int to = int(std::floor((t + half) / (2 * M_PI) * kBins));
         for (int b = from; b <= to; ++b) hit[((b % kBins) + kBins) % kBins] = true;
@@ -173,9 +190,9 @@ class ArcJoiner::Joining {
     }
     double all = 0, covered = 0;
     for (int b = 0; b < kBins; ++b) {
-      const double t = 2 * M_PI * (b + 0.5) / kBins, speed = std::hypot(e.a * std::sin(t), e.b * std::cos(t));
-      all += speed;
-      if (hit[b]) covered += speed;
+      const double length = arcPerAngle(e, circle.cosine[b], circle.sine[b]);
+      all += length;
+      if (hit[b]) covered += length;
     }
     return covered / all;
   }
@@ -183,11 +200,11 @@ class ArcJoiner::Joining {
   bool describe(const GroupFit& fit, bool bright, DetectedEllipse* out) const {
     const Ellipse& e = fit.ellipse;
     if (e.b < options_.min_ellipse_axis || e.b < 0.08 * e.a) return false;
-    out->coverage = coverage(e);
-    if (out->coverage < options_.min_ellipse_coverage) return false;
     // What the points do not determine is no ellipse: the axes must be known to a share of themselves.
     const Eigen::Matrix<double, 5, 1> sigma = fit.covariance.diagonal().cwiseSqrt();
     if (sigma[2] > 0.12 * e.a || sigma[3] > 0.12 * e.b + 0.2) return false;
+    out->coverage = coverage(e);
+    if (out->coverage < options_.min_ellipse_coverage) return false;
     out->ellipse = e;
     out->covariance = fit.covariance;
     out->rms = fit.rms;

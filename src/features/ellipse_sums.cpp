@@ -12,18 +12,22 @@ constexpr int kLanes = FitPoints::kLanes;
 constexpr int kBlock = 64;      // points whose columns stay in the cache together
 constexpr double kTukey = 4.0;  // standard deviations
 
-// Sum of products in kLanes interleaved parts: the order of the additions does not depend on the vector
-// width.
-MONOCULAR_EYE_HAND_INLINE double dot(const double* a, const double* b, int n) {
-  double part[kLanes] = {};
+// Sums run in kLanes interleaved parts: the order of the additions does not depend on the vector width.
+typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
+
+// Adds to each of `sums` the sum of products of `a` with one of the columns, all in one pass.
+template <int kCount>
+MONOCULAR_EYE_HAND_INLINE void addDots(const double* a, const double* const (&columns)[kCount], int n,
+                                       double* const (&sums)[kCount]) {
+  Lanes part[kCount] = {};
   for (int i = 0; i < n; i += kLanes)
-    for (int k = 0; k < kLanes; ++k) part[k] += a[i + k] * b[i + k];
-  return (part[0] + part[1]) + (part[2] + part[3]);
+    for (int c = 0; c < kCount; ++c)
+      part[c] += *reinterpret_cast<const Lanes*>(a + i) * *reinterpret_cast<const Lanes*>(columns[c] + i);
+  for (int c = 0; c < kCount; ++c) *sums[c] += (part[c][0] + part[c][1]) + (part[c][2] + part[c][3]);
 }
 MONOCULAR_EYE_HAND_INLINE double sum(const double* a, int n) {
-  double part[kLanes] = {};
-  for (int i = 0; i < n; i += kLanes)
-    for (int k = 0; k < kLanes; ++k) part[k] += a[i + k];
+  Lanes part = {};
+  for (int i = 0; i < n; i += kLanes) part += *reinterpret_cast<const Lanes*>(a + i);
   return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
@@ -53,12 +57,21 @@ MONOCULAR_EYE_HAND_INLINE void fillBlock(const double* x, const double* y, const
     const double inverse_g = 1 / std::max(1e-9, std::sqrt(gx * gx + gy * gy));
     const double nx = gx * inverse_g, ny = gy * inverse_g;
     // Curvature where the ray from the centre through the point meets the ellipse: a b / q^(3/2).
-    const double q = (a2 * yy + b2 * xx) / std::max(1e-18, xx + yy);
+    const double d = std::max(1e-18, xx + yy), inverse_d = 1 / d, q = (a2 * yy + b2 * xx) * inverse_d;
     const double inward = std::min(0.5, 0.5 * blur2[i] * ab / (q * std::sqrt(q)));
-    const double r = f * inverse_g + inward, chi2 = r * r * weight[i];
+    const double sampson = f * inverse_g;
+    const double r = sampson + inward, chi2 = r * r * weight[i];
     const double inside = std::max(0.0, 1 - chi2 * tukey), robust = weight[i] * inside * inside;
-    const double j0 = e.s * ny - e.c * nx, j1 = -(e.s * nx + e.c * ny);
-    const double j2 = -nx * px * inverse_a, j3 = -ny * py * inverse_b, j4 = nx * py - ny * px;
+    // Derivatives of both parts by the point in the ellipse's axes and by a and b.
+    const double sg = 2 * sampson * inverse_g, iq = 3 * inward * inverse_d / q;
+    const double rx = nx * (1 - sg * ia) - iq * px * ia * (b2 - q);
+    const double ry = ny * (1 - sg * ib) - iq * py * ib * (a2 - q);
+    const double ra =
+        (2 * sampson * nx * nx - nx * px + inward - iq * (a2 * yy - b2 * xx + q * xx)) * inverse_a;
+    const double rb =
+        (2 * sampson * ny * ny - ny * py + inward - iq * (b2 * xx - a2 * yy + q * yy)) * inverse_b;
+    const double j0 = e.s * ry - e.c * rx, j1 = -(e.s * rx + e.c * ry);
+    const double j2 = ra, j3 = rb, j4 = rx * py - ry * px;
     block->jacobian[0][i] = j0;
     block->jacobian[1][i] = j1;
     block->jacobian[2][i] = j2;
@@ -87,12 +100,16 @@ void addUp(const FitPoints& points, const Axes& axes, double robust_scale, Sums*
     fillBlock(points.x() + from, points.y() + from, points.weight() + from, points.blur2() + from, n, axes,
               robust_scale, &block);
     for (int i = std::max(0, points.count() - from); i < n; ++i) block.residual[i] = 0;  // padding
-    int at = 0;
-    for (int i = 0; i < 5; ++i) {
-      for (int j = 0; j <= i; ++j) sums->h[at++] += dot(block.weighted[i], block.jacobian[j], n);
-      sums->g[i] += dot(block.weighted[i], block.residual, n);
-    }
-    sums->squares += dot(block.residual, block.residual, n);
+    const auto& j = block.jacobian;
+    const auto& w = block.weighted;
+    double *h = sums->h, *g = sums->g;
+    const double* r = block.residual;
+    addDots<2>(w[0], {j[0], r}, n, {h, g});
+    addDots<3>(w[1], {j[0], j[1], r}, n, {h + 1, h + 2, g + 1});
+    addDots<4>(w[2], {j[0], j[1], j[2], r}, n, {h + 3, h + 4, h + 5, g + 2});
+    addDots<5>(w[3], {j[0], j[1], j[2], j[3], r}, n, {h + 6, h + 7, h + 8, h + 9, g + 3});
+    addDots<6>(w[4], {j[0], j[1], j[2], j[3], j[4], r}, n, {h + 10, h + 11, h + 12, h + 13, h + 14, g + 4});
+    addDots<1>(r, {r}, n, {&sums->squares});
     sums->chi2 += sum(block.cost, n);
   }
 }
@@ -119,11 +136,10 @@ void addUpPowers(const FitPoints& points, double u, double v, double inverse_sca
       xy[i] = x[i] * y[i];
       yy[i] = y[i] * y[i];
     }
-    sums->xxxx += dot(xx, xx, n), sums->xxxy += dot(xx, xy, n), sums->xxyy += dot(xx, yy, n);
-    sums->xyyy += dot(xy, yy, n), sums->yyyy += dot(yy, yy, n);
-    sums->xxx += dot(xx, x, n), sums->xxy += dot(xx, y, n), sums->xyy += dot(yy, x, n);
-    sums->yyy += dot(yy, y, n);
-    sums->xx += dot(x, x, n), sums->xy += dot(x, y, n), sums->yy += dot(y, y, n);
+    addDots<5>(xx, {xx, xy, yy, x, y}, n, {&sums->xxxx, &sums->xxxy, &sums->xxyy, &sums->xxx, &sums->xxy});
+    addDots<4>(yy, {xy, yy, x, y}, n, {&sums->xyyy, &sums->yyyy, &sums->xyy, &sums->yyy});
+    addDots<2>(x, {x, y}, n, {&sums->xx, &sums->xy});
+    addDots<1>(y, {y}, n, {&sums->yy});
   }
 }
 

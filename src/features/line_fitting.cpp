@@ -24,10 +24,13 @@ void LineSums::assign(const std::vector<EdgePoint>& points, int first, int count
 LineFit LineSums::fit(int begin, int end) const {
   const Moments m = between(begin, end);
   const double half = 0.5 * (m.xx - m.yy), root = std::sqrt(half * half + m.xy * m.xy);
-  const double angle = 0.5 * std::atan2(2 * m.xy, m.xx - m.yy);
   LineFit fit;
   fit.centre = origin_ + Eigen::Vector2d(m.x, m.y);
-  fit.direction = {std::cos(angle), std::sin(angle)};
+  // Of the two forms of the larger eigenvector the one in which nothing cancels.
+  const Eigen::Vector2d along =
+      half > 0 ? Eigen::Vector2d(root + half, m.xy) : Eigen::Vector2d(m.xy, root - half);
+  const double length = along.norm();
+  fit.direction = length > 0 ? Eigen::Vector2d(along / length) : Eigen::Vector2d(1, 0);
   fit.chi2 = std::max(0.0, 0.5 * (m.xx + m.yy) - root);
   fit.spread = 0.5 * (m.xx + m.yy) + root;
   fit.weight = m.w;

@@ -28,12 +28,12 @@ void chooseOnOuterRing(const EdgeMap& edges, std::vector<Choices>* choices) {
   const int n = int(edges.points.size());
   for (int i = 0; i < n; ++i) {
     Choices& own = (*choices)[i];
-    if (own.ahead.point >= 0 && own.behind.point >= 0) continue;
+    if (own.ahead.made() && own.behind.made()) continue;
     Choices farther;
     PixelRings(edges, i).onRing(
         2, [&](int j) { farther.consider(j, linkOf(edges.points[i], edges.points[j])); });
-    if (own.ahead.point < 0) own.ahead = farther.ahead;
-    if (own.behind.point < 0) own.behind = farther.behind;
+    if (!own.ahead.made()) own.ahead = farther.ahead;
+    if (!own.behind.made()) own.behind = farther.behind;
   }
 }
 
@@ -45,8 +45,9 @@ void linkMutualChoices(const EdgeMap& edges, std::vector<Choices>* choices, Edge
   chooseOnOuterRing(edges, choices);
   for (int i = 0; i < int(edges.points.size()); ++i) {
     const Choice& ahead = (*choices)[i].ahead;
-    if (ahead.point >= 0 && (*choices)[ahead.point].behind.point == i)
-      links->link(i, ahead.point, ahead.cost);
+    if (!ahead.made()) continue;
+    const Choice& behind = (*choices)[ahead.point()].behind;
+    if (behind.made() && behind.point() == i) links->link(i, ahead.point(), ahead.cost());
   }
 }
 

@@ -110,19 +110,19 @@ void PolygonSplitter::merge(const std::vector<EdgePoint>& points, const LineSums
   // points as independent, so it is divided by the correlation length, and by its own excess over the
   // prediction.
   const double break_cost = 2 * 18 * correlation_length;
-  constexpr double kUnseenRms = 0.25;  // px: a bend that no use of the line would notice
+  constexpr double kUnseenRms2 = 0.25 * 0.25;  // px^2: a bend that no use of the line would notice
   constexpr double kNever = -1;
   // Gain of removing break i, kNever when it must stay.
   const auto gainAt = [&](size_t i) {
     const int begin = (*breaks)[i - 1], middle = (*breaks)[i], end = (*breaks)[i + 1];
-    const LineFit whole = sums.fit(begin, end);
+    const double together = sums.chi2(begin, end);
     const double apart = sums.chi2(begin, middle) + sums.chi2(middle, end);
     const double excess = std::max(1.0, apart / std::max(1, end - begin - 4));
-    const double rise = (whole.chi2 - apart) / excess;
-    if (!(rise < break_cost || whole.rms() < kUnseenRms)) return kNever;
+    const double rise = (together - apart) / excess;
+    if (!(rise < break_cost || together < kUnseenRms2 * sums.weight(begin, end))) return kNever;
     const bool first_shorter = middle - begin < end - middle;
-    const double most =
-        largestRunDistance(points, whole, first_shorter ? begin : middle, first_shorter ? middle : end);
+    const double most = largestRunDistance(points, sums.fit(begin, end), first_shorter ? begin : middle,
+                                           first_shorter ? middle : end);
     return most > tolerance ? kNever : std::max(0.0, 1e6 - rise);
   };
   gains_.assign(breaks->size(), kNever);

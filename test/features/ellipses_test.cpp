@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "monocular_eye_hand/features/ellipse_fitting.h"
@@ -186,6 +187,68 @@ TEST(EllipseFit, DistanceJacobianIsTheDerivative) {
     double* fields[] = {&moved.centre.x(), &moved.centre.y(), &moved.a, &moved.b, &moved.angle};
     *fields[k] += h;
     EXPECT_NEAR(j[k], distanceTo(moved, uv).distance / h, 1e-4) << k;
+  }
+}
+
+Ellipse changed(const Ellipse& e, const Eigen::Matrix<double, 5, 1>& by) {
+  return {{e.centre.x() + by[0], e.centre.y() + by[1]}, e.a + by[2], e.b + by[3], e.angle + by[4]};
+}
+
+// An arc of a blurred ellipse with noise along the normals.
+FitPoints noisyArc(const Ellipse& truth, double from, double sweep, double blur, double sigma,
+                   std::mt19937* g) {
+  std::vector<EdgePoint> points;
+  const int n = int(std::fabs(sweep) * std::sqrt(truth.a * truth.b));
+  std::normal_distribution<double> noise(0, sigma);
+  for (int i = 0; i < n; ++i) {
+    EdgePoint p;
+    const Eigen::Vector2d on = truth.at(from + sweep * i / n);
+    const Eigen::Vector2d outward = EllipseFrame(truth).distanceTo(on).normal;
+    p.uv = (on + noise(*g) * outward).cast<float>();
+    p.sigma = float(sigma);
+    p.blur = float(blur);
+    points.push_back(p);
+  }
+  const PointRange all{0, n};
+  FitPoints taken;
+  taken.assign(points, &all, 1, 200);
+  return taken;
+}
+
+// Short arcs of small ellipses determine a mixture of centre and axes badly: along it a derivative that
+// leaves out small terms leads away from the best ellipse.
+TEST(EllipseFit, ReachesTheLeastSquares) {
+  std::mt19937 g(7);
+  int refined = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double b = uniform(&g, 4, 30);
+    const Ellipse truth{{uniform(&g, 50, 60), 80}, b * uniform(&g, 1.1, 2.5), b, uniform(&g, -1.5, 1.5)};
+    const FitPoints points = noisyArc(truth, uniform(&g, 0, 6), uniform(&g, 1.8, 5), 1.2, 0.05, &g);
+    const EllipseFit fit = refineEllipse(points, truth, 30);
+    if (!fit.valid) continue;
+    ++refined;
+    const Eigen::Matrix<double, 5, 5> root = covarianceOf(fit).llt().matrixL();
+    for (int j = 0; j < 5; ++j)
+      for (double way : {-0.5, 0.5}) {
+        const Ellipse beside = changed(fit.ellipse, way * root.col(j));
+        EXPECT_GT(refineEllipse(points, beside, 0).chi2, fit.chi2 - 0.02)
+            << "ellipse " << k << " column " << j;
+      }
+  }
+  EXPECT_GT(refined, 190);
+}
+
+TEST(EllipseFit, IsNeverWorseThanItsStart) {
+  std::mt19937 g(11);
+  for (int k = 0; k < 300; ++k) {
+    const double b = uniform(&g, 2, 12);
+    const Ellipse truth{{50, 80}, b * uniform(&g, 1, 3), b, uniform(&g, -1.5, 1.5)};
+    const FitPoints points = noisyArc(truth, uniform(&g, 0, 6), uniform(&g, 1, 6), 1.0, 0.4, &g);
+    Eigen::Matrix<double, 5, 1> by;
+    for (int j = 0; j < 5; ++j) by[j] = uniform(&g, -0.2, 0.2) * (j == 4 ? 1 : b);
+    const Ellipse start = changed(truth, by);
+    const EllipseFit fit = refineEllipse(points, start, 6);
+    EXPECT_LE(fit.chi2, refineEllipse(points, start, 0).chi2) << k;
   }
 }
 

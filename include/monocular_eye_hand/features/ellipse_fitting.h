@@ -22,16 +22,17 @@ struct EllipseFit {
 /// Direct least squares fit (Halir and Flusser 1998).
 EllipseFit fitEllipseDirect(const FitPoints& points);
 
-/// What a fit has to reach; one that is far from it after its start or its first step is not finished.
+/// What a fit has to reach: one that does, and one whose next step does not promise to come near it, is not
+/// finished.
 struct FitGoal {
   double rms = std::numeric_limits<double>::infinity();  ///< [px]
   double chi2 = std::numeric_limits<double>::infinity();
 };
 
 /// Gauss-Newton on the approximate distance F / |grad F| (Sampson 1982) with inverse variances and Tukey
-/// weights, started from `start`. Blur moves the steepest point of a curved edge inwards by blur^2 / (2
-/// radius of curvature); points are moved back by that amount. A fit without hope for `goal` is returned as
-/// far as it came.
+/// weights, started from `start`; a step that leads uphill is shortened. Blur moves the steepest point of a
+/// curved edge inwards by blur^2 / (2 radius of curvature); points are moved back by that amount. A fit that
+/// has reached `goal`, or has no hope for it, is returned as far as it came.
 EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iterations,
                          const FitGoal& goal = {});
 
@@ -51,6 +52,8 @@ class EllipseFrame {
   EllipseDistance distanceTo(const Eigen::Vector2d& uv) const;
   /// d distance / d (centre u, centre v, a, b, angle).
   Eigen::Matrix<double, 1, 5> distanceJacobian(const Eigen::Vector2d& uv) const;
+  /// The point in the ellipse's axes in units of its semi-axes: on the unit circle for points of the ellipse.
+  Eigen::Vector2d onUnitCircle(const Eigen::Vector2d& uv) const;
   /// Eccentric angle of the direction in which a point lies [rad].
   double eccentricAngle(const Eigen::Vector2d& uv) const;
 

@@ -41,6 +41,9 @@ class LineSums {
     const double half = 0.5 * (m.xx - m.yy);
     return std::max(0.0, 0.5 * (m.xx + m.yy) - std::sqrt(half * half + m.xy * m.xy));
   }
+  double weight(int begin, int end) const {
+    return sums_[size_t(end - first_)].w - sums_[size_t(begin - first_)].w;
+  }
 
  private:
   struct Moments {
