@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kArcFitPoints = 32, kSettleFitPoints = 64, kFinalFitPoints = 160;
+constexpr int kArcFitPoints = 20, kSettleFitPoints = 64, kFinalFitPoints = 160;
 
 // A piece of the polygon that approximates a trace.
 struct Chord {
@@ -179,7 +179,8 @@ class ArcFinder::Search {
       while (arc->end < high && on(arc->end)) ++arc->end;
       if (begin == arc->begin && end == arc->end) break;
     }
-    refit(arc, kFinalFitPoints, 6);
+    // Of shorter ones all points were used.
+    if (arc->end - arc->begin > kSettleFitPoints) refit(arc, kFinalFitPoints, 6);
   }
 
   void finish(int trace, PointRange range, std::vector<EllipticArc>* out) {

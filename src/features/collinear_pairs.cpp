@@ -70,11 +70,20 @@ void CollinearPairs::assign(const std::vector<LineSegment>& segments) {
 const std::vector<CollinearPairs::Pair>& CollinearPairs::find(const std::vector<LineSegment>& segments) {
   assign(segments);
   pairs_.clear();
-  for (int i = 0; i < int(segments.size()); ++i) lookAround(i);
+  for (Place& place : places_) place = entries_.cbegin();
+  for (const Entry& entry : entries_) lookAround(entry.segment);
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& x, const Pair& y) {
     return x.gap != y.gap ? x.gap < y.gap : x.a != y.a ? x.a < y.a : x.b < y.b;
   });
   return pairs_;
+}
+
+// The first entry of a cell or of those behind it. From entry to entry the cells of one turn only grow, and
+// the next place is near; where the direction flips they do not.
+CollinearPairs::Place CollinearPairs::firstOf(int64_t cell, bool flipped, Place* place) const {
+  if (flipped) return std::lower_bound(entries_.cbegin(), entries_.cend(), Entry{cell, -kFar, -1});
+  while (*place != entries_.cend() && (*place)->cell < cell) ++*place;
+  return *place;
 }
 
 // Segments whose lines fall into the same or neighbouring cells of (angle, offset).
@@ -86,7 +95,7 @@ void CollinearPairs::lookAround(int i) {
     const double sign = flipped ? -1 : 1;
     const int64_t middle = cellOf((a + kTurns) % kTurns, offsetCell(sign * l.offset));
     // Cells that differ by one in the offset lie one after the other.
-    Place from = std::lower_bound(entries_.cbegin(), entries_.cend(), Entry{middle - 1, -kFar, -1});
+    Place from = firstOf(middle - 1, flipped, &places_[da + 1]);
     while (from != entries_.cend() && from->cell <= middle + 1) {
       Place to = from;
       while (to != entries_.cend() && to->cell == from->cell) ++to;
@@ -101,13 +110,16 @@ void CollinearPairs::look(int i, double along, Place begin, Place end) {
   const Place here = std::lower_bound(begin, end, Entry{begin->cell, along, i});
   const Place first = here - std::min<std::ptrdiff_t>(kNeighbours, here - begin);
   const Place last = here + std::min<std::ptrdiff_t>(kNeighbours, end - here);
-  for (Place it = first; it != last; ++it) consider(i, it->segment);
-}
-
-void CollinearPairs::consider(int i, int j) {
-  if (i >= j) return;  // each pair is met from both sides; keep one
-  double gap;
-  if (collinear(stretches_[i], stretches_[j], options_, &gap)) pairs_.push_back({i, j, gap});
+  int others[2 * kNeighbours], count = 0;
+  for (Place it = first; it != last; ++it) {
+    others[count] = it->segment;
+    count += int(i < it->segment);  // each pair is met from both sides; keep one
+  }
+  for (int k = 0; k < count; ++k) {
+    double gap;
+    if (collinear(stretches_[i], stretches_[others[k]], options_, &gap))
+      pairs_.push_back({i, others[k], gap});
+  }
 }
 
 }  // namespace monocular_eye_hand

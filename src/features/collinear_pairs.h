@@ -57,12 +57,13 @@ class CollinearPairs {
   void assign(const std::vector<LineSegment>& segments);
   void lookAround(int i);
   void look(int i, double along, Place begin, Place end);
-  void consider(int i, int j);
+  Place firstOf(int64_t cell, bool flipped, Place* place) const;
 
   const FeatureOptions options_;
   std::vector<Stretch> stretches_;  // per segment
   std::vector<Line> lines_;         // per segment
   std::vector<Entry> entries_;      // sorted
+  Place places_[3];                 // where the search for a turn of -1, 0, 1 cells has come to
   std::vector<Pair> pairs_;
 };
 
