@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/model/contour.h"
+#include "monocular_eye_hand/recognition/bent_edges.h"
 #include "monocular_eye_hand/recognition/feature_refinement.h"
 
 namespace monocular_eye_hand {
@@ -167,9 +168,10 @@ RefinedPose alignByFeatures(const SearchModel& model, const Camera& camera, cons
   best.camera_from_object = start;
   for (int round = 0; round < kFeatureRounds; ++round) {
     const Rigid3& pose = best.camera_from_object;
-    const std::vector<FeatureSample> samples =
+    std::vector<FeatureSample> samples =
         withoutDoubles(matchContour(model, camera, domain, raster, pose, range, step));
     if (samples.size() < kMinMatches) break;
+    undoBlurOfBends(pose, camera, &samples);
     const RefinedPose refined = refineByFeatures(pose, camera, samples, axis);
     if (!plausibleStep(refined)) break;
     best = refined;
