@@ -12,7 +12,7 @@ namespace {
 // How many observations it is worth what is known of a feature's errors before anything is seen.
 constexpr double kCommonWorth = 4, kSampleWorth = 4;
 constexpr double kSampleError = 0.04;  // of a sample by itself, at first [px]
-constexpr double kTurned = 0.6;        // displacement at an edge's ends by its turn, over that of the whole
+constexpr double kTurned = 0.45;       // displacement at an edge's ends by its turn, over that of the whole
 constexpr double kLeastSpread = 0.03;  // [px]
 constexpr double kCorrelation = 3;     // neighbouring samples err alike: so many count as one
 constexpr double kOutlier = 1.5;       // residuals beyond this belong to something else [px]
@@ -26,7 +26,9 @@ constexpr double kHeld = 1e9;  // information about a free axis while it is held
 constexpr double kUsualSpread = 0.1, kExcessShare = 0.8;  // [px]
 // What a pose that has locked to wrong edges does not know of itself grows with the residuals' spread:
 // measured, the covariance has to be as many times wider as the spread is than this [px].
-constexpr double kHonestSpread = 0.095;
+constexpr double kHonestSpread = 0.093;
+// What light from one side does to all edges alike, however many there are [px].
+constexpr double kCommonShift = 0.015;
 
 struct Sample {
   Eigen::Vector2d uv;
@@ -174,6 +176,14 @@ Vector6d freeTurn(const Rigid3& pose, const FreeAxis& axis) {
   return turn;
 }
 
+// Covariance of the motion that shifts the whole part in the image.
+Matrix6d shiftCovariance(const Camera& camera, double depth) {
+  Matrix6d covariance = Matrix6d::Zero();
+  covariance(0, 0) = std::pow(kCommonShift * depth / camera.fx, 2);
+  covariance(1, 1) = std::pow(kCommonShift * depth / camera.fy, 2);
+  return covariance;
+}
+
 // The most likely motion and its covariance.
 struct Estimate {
   Vector6d motion = Vector6d::Zero();
@@ -215,6 +225,7 @@ RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera,
     estimate = maximizeExpectation(turn, &features);
   }
   const Matrix6d covariance = spread(usable, estimate.motion) / kHonestSpread * estimate.covariance +
+                              shiftCovariance(camera, start.translation.z()) +
                               M_PI * M_PI / 3 * turn * turn.transpose();
   if (!estimate.motion.allFinite() || !covariance.allFinite()) return refined;
   refined.camera_from_object = perturbed(start, estimate.motion);

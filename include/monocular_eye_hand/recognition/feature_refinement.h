@@ -20,9 +20,9 @@ struct FeatureSample {
 /// (Dempster, Laird, Rubin 1977, 4.4), so that a feature that does not agree with the others counts little;
 /// once more with larger guesses where the residuals spread farther than of a true model.
 /// One linearisation: `start` has to be within a pixel or two. The covariance is that of the pose given the
-/// sizes, in proportion to the residuals' spread; what the samples leave open has the variance of a weak
-/// prior (1 m, 1.8 rad), about a free axis it is pi^2 / 3. `well_posed` is false, and the pose `start`, when
-/// no finite sample lies within 1.5 px.
+/// sizes, in proportion to the residuals' spread, and of a shift common to all features; what the samples
+/// leave open has the variance of a weak prior (1 m, 1.8 rad), about a free axis it is pi^2 / 3. `well_posed`
+/// is false, and the pose `start`, when no finite sample lies within 1.5 px.
 RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera,
                              const std::vector<FeatureSample>& samples, const FreeAxis& axis);
 
