@@ -377,7 +377,7 @@ TaskPick RosTaskWorld::emptyHand() {
   if (!grip().holding) return {TaskPickOutcome::kDone, ""};
   PlaceGoal goal;
   goal.place = place_;
-  const TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
+  TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
   if (placed.outcome == TaskPickOutcome::kDone) first_place_ = ++place_;
   return placed;
 }
