@@ -27,7 +27,7 @@ constexpr double kUsualSpread = 0.1, kExcessShare = 0.8;  // [px]
 // What a pose that has locked to wrong edges does not know of itself grows with the residuals' spread:
 // measured, the covariance has to be as many times wider as the spread is than this [px].
 constexpr double kHonestSpread = 0.093;
-// What light from one side does to all edges alike, however many there are [px].
+// Measured: all edges of a part may be displaced alike, however many there are (light from one side?) [px].
 constexpr double kCommonShift = 0.015;
 
 struct Sample {
