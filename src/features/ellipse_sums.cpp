@@ -13,7 +13,7 @@ constexpr int kBlock = 64;      // points whose columns stay in the cache togeth
 constexpr double kTukey = 4.0;  // standard deviations
 
 // Sums run in kLanes interleaved parts: the order of the additions does not depend on the vector width.
-typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
+typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double)), may_alias));
 
 // Adds to each of `sums` the sum of products of `a` with one of the columns, all in one pass.
 template <int kCount>
