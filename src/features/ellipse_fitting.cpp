@@ -72,8 +72,9 @@ bool reached(const EllipseFit& fit, const FitGoal& goal) {
 }
 
 // `gain` is how much less chi2 the next step promises.
+constexpr double kTrust = 1.5;  // 2.5 finds hardly more ellipses and takes 3 % more instructions on texture
 bool hopeless(const EllipseFit& fit, const FitGoal& goal, double gain) {
-  const double left = fit.chi2 - 1.5 * gain;
+  const double left = fit.chi2 - kTrust * gain;
   return left > goal.chi2 || fit.rms * fit.rms * left > goal.rms * goal.rms * fit.chi2;
 }
 
