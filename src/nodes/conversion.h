@@ -8,7 +8,8 @@
 #include <string>
 
 #include "monocular_eye_hand/geometry/rigid3.h"
-#include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/recognition/object_estimate.h"
 
 namespace monocular_eye_hand {
 

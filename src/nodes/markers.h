@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/recognition/object_estimate.h"
 
 namespace monocular_eye_hand {
 

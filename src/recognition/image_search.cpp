@@ -10,6 +10,7 @@
 #include "monocular_eye_hand/recognition/alignment.h"
 #include "monocular_eye_hand/recognition/constellation.h"
 #include "monocular_eye_hand/recognition/reporting.h"
+#include "monocular_eye_hand/recognition/verification.h"
 
 namespace monocular_eye_hand {
 namespace {

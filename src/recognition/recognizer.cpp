@@ -5,18 +5,6 @@
 
 namespace monocular_eye_hand {
 
-const char* name(Decision decision) {
-  switch (decision) {
-    case Decision::kAccepted:
-      return "accepted";
-    case Decision::kRejected:
-      return "rejected";
-    case Decision::kAmbiguous:
-      return "ambiguous";
-  }
-  return "unknown";
-}
-
 struct Recognizer::Impl {
   ModelBase base;
   RecognitionOptions options;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "monocular_eye_hand/recognition/alignment.h"
 #include "monocular_eye_hand/recognition/face_evidence.h"
 
 namespace monocular_eye_hand {

@@ -4,7 +4,7 @@
 
 #include "monocular_eye_hand/evaluation/dataset.h"
 #include "monocular_eye_hand/evaluation/error_meter.h"
-#include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/recognition/object_estimate.h"
 
 namespace monocular_eye_hand {
 

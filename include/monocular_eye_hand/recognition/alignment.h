@@ -2,20 +2,11 @@
 #include <vector>
 
 #include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/recognition/candidate.h"
 #include "monocular_eye_hand/recognition/evidence.h"
 #include "monocular_eye_hand/recognition/search_model.h"
 
 namespace monocular_eye_hand {
-
-/// A visible contour sample in the image, and the edge point that answers it.
-struct SeenSample {
-  Eigen::Vector3d p_in_object;
-  Eigen::Vector2d uv, direction;  ///< rectified pixels; direction: unit
-  int group = 0;
-  int edge_point = -1;  ///< FeatureSet::points, -1: none within range
-  bool inside = false;  ///< inside the image
-  bool silhouette = false;
-};
 
 /// Projects the exact visible contour at about `step` px.
 std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& camera_from_object,

@@ -3,8 +3,8 @@
 
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/recognition/candidate.h"
 #include "monocular_eye_hand/recognition/search_model.h"
-#include "monocular_eye_hand/recognition/verification.h"
 
 namespace monocular_eye_hand {
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
@@ -7,7 +8,8 @@
 
 #include "monocular_eye_hand/recognition/decision.h"
 #include "monocular_eye_hand/recognition/hypotheses.h"
-#include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/recognition/object_estimate.h"
+#include "monocular_eye_hand/recognition/search_image.h"
 
 namespace monocular_eye_hand {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/grouping/grouping.h"
-#include "monocular_eye_hand/recognition/decision.h"
+#include "monocular_eye_hand/recognition/decision_weights.h"
 
 namespace monocular_eye_hand {
 

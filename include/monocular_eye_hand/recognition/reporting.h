@@ -2,7 +2,9 @@
 #include <vector>
 
 #include "monocular_eye_hand/recognition/decision.h"
-#include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/recognition/object_estimate.h"
+#include "monocular_eye_hand/recognition/options.h"
+#include "monocular_eye_hand/recognition/search_model.h"
 
 namespace monocular_eye_hand {
 

@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "monocular_eye_hand/drawing/overlays.h"
-#include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/recognition/object_estimate.h"
 
 namespace monocular_eye_hand {
 

@@ -1,0 +1,73 @@
+#pragma once
+#include <map>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/features/features.h"
+#include "monocular_eye_hand/geometry/rigid3.h"
+#include "monocular_eye_hand/grouping/grouping.h"
+
+// What is asked of a recognition and what it answers. Plain values: whoever draws, publishes or tracks
+// objects needs no more of this room than this header.
+
+namespace monocular_eye_hand {
+
+enum class Decision { kAccepted, kRejected, kAmbiguous };
+const char* name(Decision decision);
+
+/// Another pose (or object) that explains the same part of the image nearly as well.
+struct Alternative {
+  int object = -1;  ///< ModelBase::objects
+  Rigid3 camera_from_object;
+  double probability = 0;
+};
+
+/// The narrow waist: an object, its pose, its covariance, and the evidence.
+struct ObjectEstimate {
+  int object = -1;  ///< ModelBase::objects
+  std::string name;
+  Rigid3 camera_from_object;
+  Matrix6d covariance = Matrix6d::Zero();  ///< x, y, z, rotation about x, y, z; camera frame; m^2, rad^2
+  double plausibility = 0;  ///< 0..1: back-projection error, matched groupings and their weights combined
+  double reliability = 0;   ///< 0..1: matched feature weight, less unsupported and run-past features
+  double probability = 0;   ///< calibrated probability that object and pose are right
+  Decision decision = Decision::kRejected;
+  std::vector<Alternative> alternatives;
+  int matched_features = 0;   ///< model edges, circles and silhouettes found
+  int expected_features = 0;  ///< ... visible in this view
+  int matched_groupings = 0;  ///< image groupings explained by this object
+  int characteristic_view = -1;
+  cv::Rect bounding_box;   ///< of the projected model [uv_rect px]
+  std::string symmetry;    ///< "", "2 equal poses", "free about z axis (0, 0, 1) through ...", for people
+  bool free_axis = false;  ///< rotation about the model's symmetry axis cannot be seen
+  std::string reason;      ///< why accepted, rejected or ambiguous
+  std::map<std::string, double> evidence;  ///< the terms of the decision by name
+};
+
+/// Counts and times of one stage, for people and the explain page.
+struct StageReport {
+  std::string name;
+  double seconds = 0;
+  std::map<std::string, double> counts;
+};
+
+struct RecognitionResult {
+  std::vector<ObjectEstimate> objects;   ///< accepted and ambiguous, best first
+  std::vector<ObjectEstimate> rejected;  ///< candidates that were judged and rejected, best first
+  std::string reason;                    ///< when nothing is found: why
+  bool truncated = false;                ///< the time limit left work undone
+  bool budget_spent = false;             ///< the budget left groupings unused
+  std::vector<StageReport> stages;
+  FeatureSet features;
+  std::vector<Grouping> groupings;
+};
+
+/// What to look for in one image.
+struct RecognitionRequest {
+  /// Name of the one object wanted ("": all); the search stops at the first plausible and reliable match.
+  std::string only;
+  std::vector<ObjectEstimate> previous;  ///< last frame's objects: equal poses are reported nearest to these
+};
+
+}  // namespace monocular_eye_hand
