@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""fit_decision.py DUMP.csv... : fits the weights of the decision (recognition/decision.h) by logistic regression.
+"""fit_decision.py DUMP.csv... : fits the weights of the decision (recognition/decision_weights.h) by logistic regression.
 
 Each DUMP.csv is what `evaluate --dump` wrote: one judged candidate a line, with its evidence and its error. A
 candidate is right when its MSPD is below 10 px. Prints the weights (the `decision:` block of the recogniser's

@@ -1,11 +1,11 @@
-#include "monocular_eye_hand/recognition/alignment.h"
+#include "recognition/alignment.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "monocular_eye_hand/model/contour.h"
-#include "monocular_eye_hand/recognition/bent_edges.h"
-#include "monocular_eye_hand/recognition/feature_refinement.h"
+#include "recognition/bent_edges.h"
+#include "recognition/feature_refinement.h"
 
 namespace monocular_eye_hand {
 namespace {

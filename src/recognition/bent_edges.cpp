@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/bent_edges.h"
+#include "recognition/bent_edges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/constellation.h"
+#include "recognition/constellation.h"
 
 #include <algorithm>
 #include <cmath>

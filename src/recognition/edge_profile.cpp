@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/edge_profile.h"
+#include "recognition/edge_profile.h"
 
 #include <algorithm>
 #include <cmath>

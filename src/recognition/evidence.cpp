@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/evidence.h"
+#include "recognition/evidence.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/face_evidence.h"
+#include "recognition/face_evidence.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

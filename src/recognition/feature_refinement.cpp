@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/feature_refinement.h"
+#include "recognition/feature_refinement.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

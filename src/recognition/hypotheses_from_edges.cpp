@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monocular_eye_hand/recognition/hypotheses.h"
+#include "recognition/hypotheses.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "monocular_eye_hand/recognition/hypotheses.h"
-#include "monocular_eye_hand/recognition/pair_poses.h"
+#include "recognition/hypotheses.h"
+#include "recognition/pair_poses.h"
 
 namespace monocular_eye_hand {
 namespace {

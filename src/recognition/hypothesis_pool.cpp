@@ -3,7 +3,7 @@
 #include <map>
 #include <tuple>
 
-#include "monocular_eye_hand/recognition/hypotheses.h"
+#include "recognition/hypotheses.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/image_search.h"
+#include "recognition/image_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/equal_poses.h"
-#include "monocular_eye_hand/recognition/alignment.h"
-#include "monocular_eye_hand/recognition/constellation.h"
-#include "monocular_eye_hand/recognition/reporting.h"
-#include "monocular_eye_hand/recognition/verification.h"
+#include "recognition/alignment.h"
+#include "recognition/constellation.h"
+#include "recognition/reporting.h"
+#include "recognition/verification.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/pose/circle_pose.h"
-#include "monocular_eye_hand/recognition/pair_poses.h"
+#include "recognition/pair_poses.h"
 
 namespace monocular_eye_hand {
 namespace {

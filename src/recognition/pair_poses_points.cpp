@@ -4,7 +4,7 @@
 
 #include "monocular_eye_hand/pose/corner_pose.h"
 #include "monocular_eye_hand/pose/p3p.h"
-#include "monocular_eye_hand/recognition/pair_poses.h"
+#include "recognition/pair_poses.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,7 +1,7 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/recognition/image_search.h"
+#include "recognition/image_search.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/reporting.h"
+#include "recognition/reporting.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/search_model.h"
+#include "recognition/search_model.h"
 
 #include <algorithm>
 #include <cmath>

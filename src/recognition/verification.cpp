@@ -1,11 +1,11 @@
-#include "monocular_eye_hand/recognition/verification.h"
+#include "recognition/verification.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "monocular_eye_hand/recognition/alignment.h"
-#include "monocular_eye_hand/recognition/face_evidence.h"
+#include "recognition/alignment.h"
+#include "recognition/face_evidence.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/work_budget.h"
+#include "recognition/work_budget.h"
 
 #include <algorithm>
 

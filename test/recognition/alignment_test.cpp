@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/alignment.h"
+#include "recognition/alignment.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/recognition/decision.h"
+#include "recognition/decision.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // A true pair of groupings, seen without noise, gives the true pose: every kind, every order that is true.
-#include "monocular_eye_hand/recognition/pair_poses.h"
+#include "recognition/pair_poses.h"
 
 #include <random>
 

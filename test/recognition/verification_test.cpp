@@ -1,8 +1,8 @@
-#include "monocular_eye_hand/recognition/verification.h"
+#include "recognition/verification.h"
 
 #include <set>
 
-#include "monocular_eye_hand/recognition/constellation.h"
+#include "recognition/constellation.h"
 #include "world.h"
 
 namespace monocular_eye_hand {

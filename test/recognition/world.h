@@ -10,9 +10,9 @@
 #include "monocular_eye_hand/evaluation/pose_error.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
-#include "monocular_eye_hand/recognition/reporting.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
+#include "recognition/reporting.h"
 
 namespace monocular_eye_hand {
 

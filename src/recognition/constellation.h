@@ -3,8 +3,8 @@
 
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/pose/refine.h"
-#include "monocular_eye_hand/recognition/candidate.h"
-#include "monocular_eye_hand/recognition/search_model.h"
+#include "recognition/candidate.h"
+#include "recognition/search_model.h"
 
 namespace monocular_eye_hand {
 

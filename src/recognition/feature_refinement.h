@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/pose/refine.h"
-#include "monocular_eye_hand/recognition/edge_profile.h"
+#include "recognition/edge_profile.h"
 
 namespace monocular_eye_hand {
 

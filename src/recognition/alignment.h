@@ -2,9 +2,9 @@
 #include <vector>
 
 #include "monocular_eye_hand/pose/refine.h"
-#include "monocular_eye_hand/recognition/candidate.h"
-#include "monocular_eye_hand/recognition/evidence.h"
-#include "monocular_eye_hand/recognition/search_model.h"
+#include "recognition/candidate.h"
+#include "recognition/evidence.h"
+#include "recognition/search_model.h"
 
 namespace monocular_eye_hand {
 

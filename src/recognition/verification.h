@@ -1,7 +1,7 @@
 #pragma once
-#include "monocular_eye_hand/recognition/candidate.h"
-#include "monocular_eye_hand/recognition/search_image.h"
-#include "monocular_eye_hand/recognition/search_model.h"
+#include "recognition/candidate.h"
+#include "recognition/search_image.h"
+#include "recognition/search_model.h"
 
 namespace monocular_eye_hand {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "monocular_eye_hand/recognition/candidate.h"
 #include "monocular_eye_hand/recognition/decision_weights.h"
+#include "recognition/candidate.h"
 
 namespace monocular_eye_hand {
 

@@ -4,7 +4,7 @@
 
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
-#include "monocular_eye_hand/recognition/feature_refinement.h"
+#include "recognition/feature_refinement.h"
 
 namespace monocular_eye_hand {
 

@@ -6,7 +6,7 @@
 
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/recognition/evidence.h"
+#include "recognition/evidence.h"
 
 namespace monocular_eye_hand {
 

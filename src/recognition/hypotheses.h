@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "monocular_eye_hand/recognition/evidence.h"
 #include "monocular_eye_hand/recognition/options.h"
-#include "monocular_eye_hand/recognition/search_model.h"
-#include "monocular_eye_hand/recognition/work_budget.h"
+#include "recognition/evidence.h"
+#include "recognition/search_model.h"
+#include "recognition/work_budget.h"
 
 namespace monocular_eye_hand {
 

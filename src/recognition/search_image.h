@@ -2,7 +2,7 @@
 #include <opencv2/core.hpp>
 
 #include "monocular_eye_hand/features/features.h"
-#include "monocular_eye_hand/recognition/evidence.h"
+#include "recognition/evidence.h"
 
 namespace monocular_eye_hand {
 

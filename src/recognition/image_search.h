@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "monocular_eye_hand/recognition/decision.h"
-#include "monocular_eye_hand/recognition/hypotheses.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
-#include "monocular_eye_hand/recognition/search_image.h"
+#include "recognition/decision.h"
+#include "recognition/hypotheses.h"
+#include "recognition/search_image.h"
 
 namespace monocular_eye_hand {
 

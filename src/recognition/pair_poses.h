@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "monocular_eye_hand/recognition/hypotheses.h"
+#include "recognition/hypotheses.h"
 
 namespace monocular_eye_hand {
 

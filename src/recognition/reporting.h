@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "monocular_eye_hand/recognition/decision.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 #include "monocular_eye_hand/recognition/options.h"
-#include "monocular_eye_hand/recognition/search_model.h"
+#include "recognition/decision.h"
+#include "recognition/search_model.h"
 
 namespace monocular_eye_hand {
 
