@@ -38,16 +38,15 @@ struct ContourMatch {
   int edge_point;
   double depth;  // in the camera frame [m]
 };
-std::vector<ContourMatch> matchContour(const SearchModel& model, const Camera& camera,
-                                       const RectDomain& domain, const EdgeRaster& raster, const Rigid3& pose,
+std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchImage& image, const Rigid3& pose,
                                        double range, double step) {
   std::vector<ContourMatch> matches;
-  for (const SeenSample& s : projectContour(model.model(), pose, camera, domain, step)) {
+  for (const SeenSample& s : projectContour(model.model(), pose, image.camera, image.domain, step)) {
     if (!s.inside) continue;
     const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
-    const int found = raster.find(s.uv, normal, range);
+    const int found = image.raster.find(s.uv, normal, range);
     if (found < 0) continue;
-    const EdgePoint& point = raster.point(found);
+    const EdgePoint& point = image.raster.point(found);
     FeatureSample sample;
     sample.line = {s.p_in_object, point.uv.cast<double>(), normal,
                    std::max({kMinSigma, double(point.sigma), range / 3})};
@@ -108,71 +107,70 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
   return seen;
 }
 
-bool alignCoarsely(const SearchModel& model, const Camera& camera, const EdgeRaster& raster, Rigid3* pose,
-                   int* view) {
+std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchImage& image,
+                                        ViewedPose start) {
+  auto& [pose, view] = start;
+  const Camera& camera = image.camera;
   const FreeAxis axis = freeAxis(model.model());
   std::vector<LineMatch> matches;
   for (double range : kCoarseRanges) {
-    const std::vector<ViewSample>& samples = model.samples(*view);
+    const std::vector<ViewSample>& samples = model.samples(view);
     const size_t count = std::min<size_t>(samples.size(), kCoarseSamples);
     matches.clear();
     for (size_t i = 0; i < count; ++i) {
       const Eigen::Vector3d p_in_object = samples[i].p.cast<double>();
-      const Eigen::Vector3d p = *pose * p_in_object;
-      if (p.z() <= 1e-3) return false;
-      const Eigen::Vector3d d = pose->rotation * samples[i].tangent.cast<double>();
+      const Eigen::Vector3d p = pose * p_in_object;
+      if (p.z() <= 1e-3) return std::nullopt;
+      const Eigen::Vector3d d = pose.rotation * samples[i].tangent.cast<double>();
       Eigen::Vector2d normal(-camera.fy * (d.y() - p.y() / p.z() * d.z()),
                              camera.fx * (d.x() - p.x() / p.z() * d.z()));
       const double length = normal.norm();
       if (!(length > 1e-9)) continue;
       normal /= length;
-      const int found = raster.find(camera.project(p), normal, range);
+      const int found = image.raster.find(camera.project(p), normal, range);
       if (found < 0) continue;
-      matches.push_back({p_in_object, raster.point(found).uv.cast<double>(), normal, range / 3});
+      matches.push_back({p_in_object, image.raster.point(found).uv.cast<double>(), normal, range / 3});
     }
-    if (matches.size() < kMinMatches) return false;
+    if (matches.size() < kMinMatches) return std::nullopt;
     RefineOptions options;
     options.max_iterations = 2;
-    const RefinedPose refined = refinePose(*pose, camera, matches, {}, options, axis);
-    if (!plausibleStep(refined)) return false;
-    *pose = model.canonical(refined.camera_from_object, view);
+    const RefinedPose refined = refinePose(pose, camera, matches, {}, options, axis);
+    if (!plausibleStep(refined)) return std::nullopt;
+    pose = model.canonical(refined.camera_from_object, &view);
   }
-  return true;
+  return start;
 }
 
-RefinedPose alignFinely(const SearchModel& model, const Camera& camera, const RectDomain& domain,
-                        const EdgeRaster& raster, const Rigid3& start, const std::vector<double>& ranges,
-                        double step) {
+RefinedPose alignFinely(const SearchModel& model, const SearchImage& image, const Rigid3& start,
+                        const std::vector<double>& ranges, double step) {
   const FreeAxis axis = freeAxis(model.model());
   RefinedPose best;
   best.camera_from_object = start;
   for (size_t round = 0; round < ranges.size(); ++round) {
     std::vector<LineMatch> lines;
-    for (const ContourMatch& m :
-         matchContour(model, camera, domain, raster, best.camera_from_object, ranges[round], step))
+    for (const ContourMatch& m : matchContour(model, image, best.camera_from_object, ranges[round], step))
       lines.push_back(m.sample.line);
     if (lines.size() < kMinMatches) return best;
     RefineOptions options;
     options.max_iterations = round + 1 == ranges.size() ? 6 : 3;
-    const RefinedPose refined = refinePose(best.camera_from_object, camera, lines, {}, options, axis);
+    const RefinedPose refined = refinePose(best.camera_from_object, image.camera, lines, {}, options, axis);
     if (!plausibleStep(refined)) return best;
     best = refined;
   }
   return best;
 }
 
-RefinedPose alignByFeatures(const SearchModel& model, const Camera& camera, const RectDomain& domain,
-                            const EdgeRaster& raster, const Rigid3& start, double range, double step) {
+RefinedPose alignByFeatures(const SearchModel& model, const SearchImage& image, const Rigid3& start,
+                            double range, double step) {
   const FreeAxis axis = freeAxis(model.model());
   RefinedPose best;
   best.camera_from_object = start;
   for (int round = 0; round < kFeatureRounds; ++round) {
     const Rigid3& pose = best.camera_from_object;
-    std::vector<FeatureSample> samples =
-        withoutDoubles(matchContour(model, camera, domain, raster, pose, range, step));
+    std::vector<FeatureSample> samples = withoutDoubles(matchContour(model, image, pose, range, step));
     if (samples.size() < kMinMatches) break;
-    undoBlurOfBends(pose, camera, &samples);
-    const RefinedPose refined = refineByFeatures(pose, camera, samples, axis);
+    undoBlurOfBends(pose, image.camera, &samples);
+    const RefinedPose refined = refineByFeatures(pose, image.camera, samples, axis);
     if (!plausibleStep(refined)) break;
     best = refined;
   }

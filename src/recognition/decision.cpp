@@ -23,6 +23,8 @@ int commonCount(const std::vector<int>& a, const std::vector<int>& b) {
   return n;
 }
 
+}  // namespace
+
 bool conflict(const Candidate& chosen, const Candidate& other) {
   const size_t smaller = std::min(chosen.covered.size(), other.covered.size());
   if (smaller > 0 && commonCount(chosen.covered, other.covered) > kMaxOverlap * double(smaller)) return true;
@@ -30,7 +32,14 @@ bool conflict(const Candidate& chosen, const Candidate& other) {
          commonCount(chosen.claimed, other.claimed) > kMaxClaimed * double(other.claimed.size());
 }
 
-}  // namespace
+std::vector<std::vector<int>> allConflicts(const std::vector<Candidate>& candidates) {
+  std::vector<std::vector<int>> conflicts(candidates.size());
+  for (size_t other = 0; other < candidates.size(); ++other)
+    for (size_t chosen = 0; chosen < candidates.size(); ++chosen)
+      if (chosen != other && conflict(candidates[chosen], candidates[other]))
+        conflicts[other].push_back(int(chosen));
+  return conflicts;
+}
 
 double probability(const EvidenceTerms& t, const DecisionWeights& w) {
   const auto logOf = [](double value, double floor) { return std::log(std::max(value, floor)); };

@@ -14,6 +14,13 @@ double probability(const EvidenceTerms& terms, const DecisionWeights& weights);
 /// an object win over the whole.
 double rankScore(const Candidate& candidate);
 
+/// Whether a chosen candidate leaves no room for another one: they share the same faces, or most of the other
+/// one's edge points are the chosen one's.
+bool conflict(const Candidate& chosen, const Candidate& other);
+
+/// Of each candidate the indices of all others that, chosen, would suppress it (conflict()); ascending.
+std::vector<std::vector<int>> allConflicts(const std::vector<Candidate>& candidates);
+
 /// A chosen candidate and the others that explain the same part of the image.
 struct Explanation {
   int candidate = 0;

@@ -166,7 +166,7 @@ EvidenceMap::EvidenceMap(const FeatureSet& features, const RectDomain& domain)
 }
 
 EdgeRaster::EdgeRaster(const FeatureSet& features, const RectDomain& domain)
-    : points_(&features.points),
+    : points_(features.points.data()),
       u0_(domain.u0),
       v0_(domain.v0),
       width_(domain.width),
@@ -209,7 +209,7 @@ int EdgeRaster::find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, d
     const int index = index_[size_t(int(fy)) * width_ + int(fx)];
     if (index < 0 || index == last) continue;
     last = index;
-    const EdgePoint& p = (*points_)[index];
+    const EdgePoint& p = points_[index];
     const float along = std::fabs(p.normal.x() * nx + p.normal.y() * ny);
     if (along < 0.906f) continue;
     const float d = ((p.uv.x() - float(uv.x())) * nx + (p.uv.y() - float(uv.y())) * ny) * inverse_range;

@@ -51,6 +51,7 @@ constexpr int8_t kOutside = -128;
 /// measured in a window around the pixel. One look-up per sample.
 class EvidenceMap {
  public:
+  EvidenceMap() = default;  ///< of no image: kOutside everywhere
   EvidenceMap(const FeatureSet& features, const RectDomain& domain);
 
   int width() const { return width_; }
@@ -68,26 +69,31 @@ class EvidenceMap {
   int halfHeight() const { return half_height_; }
 
  private:
-  int u0_, v0_, width_, height_, half_width_, half_height_;
+  int u0_ = 0, v0_ = 0, width_ = 0, height_ = 0, half_width_ = 0, half_height_ = 0;
   std::vector<int8_t> full_, half_;
 };
 
 /// Finds the edge point that a predicted contour sample most likely produced.
 class EdgeRaster {
  public:
+  EdgeRaster() = default;  ///< of no image: finds nothing
+  /// The features may be moved while it is in use, but neither changed nor destroyed.
   EdgeRaster(const FeatureSet& features, const RectDomain& domain);
 
   /// Walks from `uv` along +/- `normal` (unit) up to `range` px; of the edge points whose direction agrees
   /// within about 25 degrees the one with the best mix of strength and nearness, or -1.
   int find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, double range) const;
-  const EdgePoint& point(int index) const { return (*points_)[index]; }
+  const EdgePoint& point(int index) const { return points_[index]; }
   /// Index of an edge point in this pixel (map of one entry per pixel, thickened so that walks cannot slip
   /// through), or -1.
   int indexAt(double u, double v) const;
 
+  EdgeRaster(EdgeRaster&&) = default;
+  EdgeRaster& operator=(EdgeRaster&&) = default;
+
  private:
-  const std::vector<EdgePoint>* points_;
-  int u0_, v0_, width_, height_;
+  const EdgePoint* points_ = nullptr;
+  int u0_ = 0, v0_ = 0, width_ = 0, height_ = 0;
   std::vector<int32_t> index_;
 };
 

@@ -67,7 +67,7 @@ cv::Mat contourBand(const Candidate& candidate, const cv::Rect& box) {
 
 }  // namespace
 
-void faceTerms(const ObjectModel& model, const VerificationContext& context, Candidate* candidate) {
+void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* candidate) {
   EvidenceTerms& terms = candidate->terms;
   const cv::Rect box = candidate->bounding_box;
   if (box.area() <= 0) return;
@@ -96,7 +96,7 @@ void faceTerms(const ObjectModel& model, const VerificationContext& context, Can
       if (!context.domain.contains(u, v)) continue;
       auto& pixels = by_surface[surface];
       if (band.at<uint8_t>(v - box.y, u - box.x)) continue;
-      pixels.push_back({float(u), float(v), float(context.grey.at<uint8_t>(y, x))});
+      pixels.push_back({float(u), float(v), float(context.rect_grey.at<uint8_t>(y, x))});
       ++interior;
       bool edge = false;
       for (int dy = -1; dy <= 1 && !edge; ++dy)

@@ -2,28 +2,20 @@
 #include <vector>
 
 #include "monocular_eye_hand/recognition/options.h"
-#include "recognition/evidence.h"
+#include "recognition/search_image.h"
 #include "recognition/search_model.h"
 #include "recognition/work_budget.h"
 
 namespace monocular_eye_hand {
 
-/// Where a hypothesis came from (seed, step 2: a matching pair of an image grouping and a model feature).
+/// Where a hypothesis came from (Wong et al., 2.2, step 2: a matching pair of an image grouping and a model
+/// feature).
 struct Hypothesis {
   Rigid3 camera_from_object;  ///< canonical
   int view = 0;               ///< nearest sampled view
   float evidence = 0;         ///< coarse plausibility, see scorePose
   float in_frame = 0;
   GroupingKind kind = GroupingKind::kEdge;  ///< of the pair it came from
-};
-
-/// Everything the search of one image looks at.
-struct SearchContext {
-  const Camera& camera;
-  const FeatureSet& features;
-  const std::vector<Grouping>& groupings;
-  const EvidenceMap& map;
-  const RecognitionOptions& options;
 };
 
 /// Keeps the best hypotheses of one object, spread over the image: a strong place cannot crowd out the
@@ -46,16 +38,16 @@ class HypothesisPool {
   std::vector<std::vector<Hypothesis>> cells_;
 };
 
-/// Seed, step 2: every image grouping with every model grouping of its kind, in every order that the kind
-/// admits, the most telling first: likely structure of one object that fits the model in few ways. Poses by
-/// the perspective tetrahedron, corner triplets of lines and circles (pair_poses.h).
-void hypothesesFromGroupings(const SearchContext& context, int object, const SearchModel& model,
+/// Wong et al., 2.2, step 2: every image grouping with every model grouping of its kind, in every order that
+/// the kind admits, the most telling first: likely structure of one object that fits the model in few ways.
+/// Poses by the perspective tetrahedron, corner triplets of lines and circles (pair_poses.h).
+void hypothesesFromGroupings(const SearchImage& image, int object, const SearchModel& model,
                              HypothesisPool* pool, WorkBudget* budget);
 
-/// One whole edge with the view sphere: every segment, long ones first, as every edge of every
-/// sampled view. `usable`: flags of
-/// the segments that may serve (not explained yet).
-void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
-                         const std::vector<char>& usable, HypothesisPool* pool, WorkBudget* budget);
+/// One whole edge with the view sphere: every segment, long ones first, as every edge of every sampled view.
+/// `usable`: flags of the segments that may serve (not explained yet).
+void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
+                         const RecognitionOptions& options, const std::vector<char>& usable,
+                         HypothesisPool* pool, WorkBudget* budget);
 
 }  // namespace monocular_eye_hand

@@ -89,18 +89,18 @@ std::vector<int> longestFirst(const std::vector<LineSegment>& segments, const st
 
 }  // namespace
 
-void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
-                         const std::vector<char>& usable, HypothesisPool* pool, WorkBudget* budget) {
+void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
+                         const RecognitionOptions& options, const std::vector<char>& usable,
+                         HypothesisPool* pool, WorkBudget* budget) {
   static const std::array<uint8_t, 512> kBins = makeBinTable();
-  const Camera& camera = context.camera;
+  const Camera& camera = image.camera;
   const double focal = std::sqrt(camera.fx * camera.fy), diameter = model.model().diameter;
-  const double max_distance =
-      std::min(context.options.max_distance, diameter * focal / context.options.min_size);
+  const double max_distance = std::min(options.max_distance, diameter * focal / options.min_size);
   const int cells_x = int(std::ceil(camera.width / kCell)), cells_y = int(std::ceil(camera.height / kCell));
   std::vector<std::vector<FlatCandidate>> cells(size_t(cells_x) * cells_y);
   const auto better = [](const FlatCandidate& a, const FlatCandidate& b) { return a.score > b.score; };
 
-  const auto& segments = context.features.segments;
+  const auto& segments = image.features.segments;
   for (int s : longestFirst(segments, usable)) {
     if (budget->spent()) break;
     const double length = segments[s].length();
@@ -109,21 +109,21 @@ void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
       const Eigen::Vector2d q = reversed ? segments[s].p : segments[s].q;
       const Eigen::Vector2d d = q - p;
       Ruler ruler;
-      ruler.px = float(p.x() - context.map.u0()) * 0.5f + 0.5f;
-      ruler.py = float(p.y() - context.map.v0()) * 0.5f + 0.5f;
+      ruler.px = float(p.x() - image.map.u0()) * 0.5f + 0.5f;
+      ruler.py = float(p.y() - image.map.v0()) * 0.5f + 0.5f;
       ruler.dx = float(d.x()) * 0.5f;
       ruler.dy = float(d.y()) * 0.5f;
       ruler.turn = int(std::lround(std::atan2(d.y(), d.x()) / M_PI * 256.0)) & 255;
       for (size_t l = 0; l < model.levels().size(); ++l) {
         const AnchorLevel& level = model.levels()[l];
-        const double near = std::max(context.options.min_distance, level.min_ratio * diameter);
+        const double near = std::max(options.min_distance, level.min_ratio * diameter);
         const double far = std::min(max_distance, level.max_ratio * diameter);
         const float shortest = float(length * near / focal), longest = float(length * far / focal);
         auto it = std::lower_bound(level.anchors.begin(), level.anchors.end(), shortest,
                                    [](const Anchor& a, float value) { return a.length < value; });
         for (; it != level.anchors.end() && it->length <= longest; ++it) {
           budget->count();
-          const int sum = flatEvidence(*it, ruler, context.map, kBins);
+          const int sum = flatEvidence(*it, ruler, image.map, kBins);
           if (sum < kAfterAll) continue;
           FlatCandidate candidate;
           candidate.score = float(sum) * it->contour / it->length * float(length);
@@ -155,7 +155,7 @@ void hypothesesFromEdges(const SearchContext& context, const SearchModel& model,
       const Anchor& anchor = model.levels()[c.level].anchors[c.anchor];
       pool->offer(c.reversed ? poseFromRuler(model, anchor, segment.q, segment.p, camera)
                              : poseFromRuler(model, anchor, segment.p, segment.q, camera),
-                  GroupingKind::kEdge, context.map, budget);
+                  GroupingKind::kEdge, image.map, budget);
     }
 }
 

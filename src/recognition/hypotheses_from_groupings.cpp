@@ -24,11 +24,10 @@ int waysToLay(const Grouping& seen, const SearchModel& model) {
 
 /// The image groupings that can come from the object, the most telling first: likely structure of one object
 /// (weight) that fits the model in few ways (rarity).
-std::vector<RankedGrouping> rankGroupings(const SearchContext& context, int object,
-                                          const SearchModel& model) {
+std::vector<RankedGrouping> rankGroupings(const SearchImage& image, int object, const SearchModel& model) {
   std::vector<RankedGrouping> ranked;
   std::array<int, kGroupingKinds> tried{};
-  for (const Grouping& seen : context.groupings) {  // best first within a kind
+  for (const Grouping& seen : image.groupings) {  // best first within a kind
     if (!fixesPose(seen)) continue;
     if (std::find(seen.candidates.begin(), seen.candidates.end(), object) == seen.candidates.end()) continue;
     const int ways = waysToLay(seen, model);
@@ -42,17 +41,17 @@ std::vector<RankedGrouping> rankGroupings(const SearchContext& context, int obje
 
 }  // namespace
 
-void hypothesesFromGroupings(const SearchContext& context, int object, const SearchModel& model,
+void hypothesesFromGroupings(const SearchImage& image, int object, const SearchModel& model,
                              HypothesisPool* pool, WorkBudget* budget) {
   std::vector<Rigid3> poses;
-  for (const RankedGrouping& ranked : rankGroupings(context, object, model))
+  for (const RankedGrouping& ranked : rankGroupings(image, object, model))
     for (const ModelGrouping& known : model.groupings()) {
       if (known.points.size() != ranked.seen->points.size()) continue;
       for (const Correspondence& order : correspondences(*ranked.seen, known)) {
         if (budget->spent()) return;
         poses.clear();
-        posesOfPair(context, model.model(), {*ranked.seen, known, order}, &poses);
-        for (const Rigid3& pose : poses) pool->offer(pose, ranked.seen->kind, context.map, budget);
+        posesOfPair(image, model.model(), {*ranked.seen, known, order}, &poses);
+        for (const Rigid3& pose : poses) pool->offer(pose, ranked.seen->kind, image.map, budget);
       }
     }
 }

@@ -14,4 +14,18 @@ const char* name(Decision decision) {
   return "unknown";
 }
 
+const char* name(Fate fate) {
+  switch (fate) {
+    case Fate::kAccepted:
+      return "accepted";
+    case Fate::kAmbiguous:
+      return "ambiguous";
+    case Fate::kRejected:
+      return "rejected";
+    case Fate::kSuppressed:
+      return "suppressed";
+  }
+  return "unknown";
+}
+
 }  // namespace monocular_eye_hand

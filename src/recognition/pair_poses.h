@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "recognition/hypotheses.h"
+#include "monocular_eye_hand/grouping/grouping.h"
+#include "recognition/search_image.h"
 
 namespace monocular_eye_hand {
 
@@ -15,21 +16,21 @@ struct GroupingPair {
 /// Whether a pose can be had from the image grouping at all: enough of its points are no cut-off ends.
 bool fixesPose(const Grouping& seen);
 
-/// Appends the poses `camera_from_object` of a pair (seed 2.3): points by the perspective tetrahedron, a
-/// triplet whose ends are cut off by its three lines and one whole edge, circles by their ellipse with the
-/// rotation about their axis from a line, or stepped through where nothing else tells it. Further points,
-/// lines and ellipses of the grouping choose among the roots.
-void posesOfPair(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+/// Appends the poses `camera_from_object` of a pair (Wong et al., 2.3): points by the perspective
+/// tetrahedron, a triplet whose ends are cut off by its three lines and one whole edge, circles by their
+/// ellipse with the rotation about their axis from a line, or stepped through where nothing else tells it.
+/// Further points, lines and ellipses of the grouping choose among the roots.
+void posesOfPair(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
                  std::vector<Rigid3>* poses);
 
 // The kinds, for posesOfPair().
-void posesOfPoints(const SearchContext& context, const GroupingPair& pair, std::vector<Rigid3>* poses);
-void posesOfCorner(const SearchContext& context, const GroupingPair& pair, std::vector<Rigid3>* poses);
-void posesOfEllipse(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+void posesOfPoints(const SearchImage& image, const GroupingPair& pair, std::vector<Rigid3>* poses);
+void posesOfCorner(const SearchImage& image, const GroupingPair& pair, std::vector<Rigid3>* poses);
+void posesOfEllipse(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
                     std::vector<Rigid3>* poses);
-void posesOfEllipsePair(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
                         std::vector<Rigid3>* poses);
-void posesOfEllipseLine(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+void posesOfEllipseLine(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
                         std::vector<Rigid3>* poses);
 
 }  // namespace monocular_eye_hand

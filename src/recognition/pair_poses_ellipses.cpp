@@ -106,55 +106,55 @@ bool liesOnLine(const Camera& camera, const Grouping& seen, const Rigid3& pose,
 
 }  // namespace
 
-void posesOfEllipse(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+void posesOfEllipse(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
                     std::vector<Rigid3>* poses) {
   const ModelCircle& circle = model.circles[pair.known.circles[pair.order.ellipses[0]]];
-  for (const Ellipse& seen : variants(context.features.ellipses[pair.seen.ellipses[0]].ellipse)) {
-    const CirclePoses solutions = circlePoses(seen, context.camera, circle.radius);
+  for (const Ellipse& seen : variants(image.features.ellipses[pair.seen.ellipses[0]].ellipse)) {
+    const CirclePoses solutions = circlePoses(seen, image.camera, circle.radius);
     for (int i = 0; i < solutions.count; ++i)
       for (double side : {1.0, -1.0})  // a rim is seen from its face's side or, as an outline, from behind
         turnAbout(model, circle, solutions.pose[i].centre, side * solutions.pose[i].normal, poses);
   }
 }
 
-void posesOfEllipsePair(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
                         std::vector<Rigid3>* poses) {
   // The larger ellipse is the better known one.
   const auto ellipse = [&](int i) -> const Ellipse& {
-    return context.features.ellipses[pair.seen.ellipses[i]].ellipse;
+    return image.features.ellipses[pair.seen.ellipses[i]].ellipse;
   };
   const int first = ellipse(0).a >= ellipse(1).a ? 0 : 1;
   const ModelCircle& circle = model.circles[pair.known.circles[pair.order.ellipses[first]]];
   const ModelCircle& other = model.circles[pair.known.circles[pair.order.ellipses[1 - first]]];
   const double offset = circle.axis.dot(other.centre - circle.centre);
   const Eigen::Vector2d seen = ellipse(1 - first).centre;
-  const CirclePoses solutions = circlePoses(ellipse(first), context.camera, circle.radius);
+  const CirclePoses solutions = circlePoses(ellipse(first), image.camera, circle.radius);
   for (int i = 0; i < solutions.count; ++i)
     for (double side : {1.0, -1.0}) {
       const Eigen::Vector3d& centre = solutions.pose[i].centre;
       Eigen::Vector3d axis = side * solutions.pose[i].normal;
       if (std::abs(offset) > kLongBaseline * circle.radius)
-        axis = axisThroughCentres(context.camera, centre, seen, offset, axis);
+        axis = axisThroughCentres(image.camera, centre, seen, offset, axis);
       const Eigen::Vector3d second = centre + offset * axis;
-      if (second.z() <= 0 || (context.camera.project(second) - seen).norm() > kCentreError) continue;
+      if (second.z() <= 0 || (image.camera.project(second) - seen).norm() > kCentreError) continue;
       turnAbout(model, circle, centre, axis, poses);
     }
 }
 
-void posesOfEllipseLine(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+void posesOfEllipseLine(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
                         std::vector<Rigid3>* poses) {
   const auto& [seen, known, order] = pair;
   const ModelCircle& circle = model.circles[known.circles[order.ellipses[0]]];
   const std::array<Eigen::Vector3d, 2> edge{known.points[order.points[0]], known.points[order.points[1]]};
-  const Ellipse& ellipse = context.features.ellipses[seen.ellipses[0]].ellipse;
-  const CirclePoses solutions = circlePoses(ellipse, context.camera, circle.radius);
+  const Ellipse& ellipse = image.features.ellipses[seen.ellipses[0]].ellipse;
+  const CirclePoses solutions = circlePoses(ellipse, image.camera, circle.radius);
   for (int i = 0; i < solutions.count; ++i)
     for (double side : {1.0, -1.0}) {
       const Eigen::Vector3d &centre = solutions.pose[i].centre, normal = side * solutions.pose[i].normal;
-      for (double roll : rollsOntoLine(context.camera, seen, poseOfCircle(circle, centre, normal, 0), edge,
-                                       centre, normal)) {
+      for (double roll :
+           rollsOntoLine(image.camera, seen, poseOfCircle(circle, centre, normal, 0), edge, centre, normal)) {
         const Rigid3 pose = poseOfCircle(circle, centre, normal, roll);
-        if (liesOnLine(context.camera, seen, pose, edge)) poses->push_back(pose);
+        if (liesOnLine(image.camera, seen, pose, edge)) poses->push_back(pose);
       }
     }
 }

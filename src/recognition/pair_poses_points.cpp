@@ -56,12 +56,12 @@ bool fixesPose(const Grouping& seen) {
   return false;
 }
 
-void posesOfPoints(const SearchContext& context, const GroupingPair& pair, std::vector<Rigid3>* poses) {
+void posesOfPoints(const SearchImage& image, const GroupingPair& pair, std::vector<Rigid3>* poses) {
   const auto& [seen, known, order] = pair;
   const std::array<int, 3> use = widestTriangle(seen.points);
   Eigen::Matrix3d bearings, points;
   for (int i = 0; i < 3; ++i) {
-    bearings.col(i) = context.camera.ray(seen.points[use[i]]).normalized();
+    bearings.col(i) = image.camera.ray(seen.points[use[i]]).normalized();
     points.col(i) = known.points[order.points[use[i]]];
   }
   const PoseSolutions roots = solveP3P(bearings, points);
@@ -70,20 +70,20 @@ void posesOfPoints(const SearchContext& context, const GroupingPair& pair, std::
     bool consistent = true;
     for (size_t k = 0; k < seen.points.size() && consistent; ++k) {
       const Eigen::Vector3d p = pose * known.points[order.points[k]];
-      consistent = p.z() > 0 && (context.camera.project(p) - seen.points[k]).norm() < kFourthPointError;
+      consistent = p.z() > 0 && (image.camera.project(p) - seen.points[k]).norm() < kFourthPointError;
     }
     if (consistent) poses->push_back(pose);
   }
 }
 
-void posesOfCorner(const SearchContext& context, const GroupingPair& pair, std::vector<Rigid3>* poses) {
+void posesOfCorner(const SearchImage& image, const GroupingPair& pair, std::vector<Rigid3>* poses) {
   const auto& [seen, known, order] = pair;
   const Eigen::Vector3d& corner = known.points[order.points[0]];
   CornerObservation observed;
-  observed.corner = context.camera.ray(seen.points[0]).normalized();
+  observed.corner = image.camera.ray(seen.points[0]).normalized();
   Eigen::Matrix3d directions;
   for (int i = 0; i < 3; ++i) {
-    observed.far_points.col(i) = context.camera.ray(seen.points[i + 1]).normalized();
+    observed.far_points.col(i) = image.camera.ray(seen.points[i + 1]).normalized();
     directions.col(i) = (known.points[order.points[i + 1]] - corner).normalized();
   }
   for (const Eigen::Matrix3d& rotation : cornerRotations(observed, directions))
@@ -96,25 +96,25 @@ void posesOfCorner(const SearchContext& context, const GroupingPair& pair, std::
     }
 }
 
-void posesOfPair(const SearchContext& context, const ObjectModel& model, const GroupingPair& pair,
+void posesOfPair(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
                  std::vector<Rigid3>* poses) {
   switch (pair.seen.kind) {
     case GroupingKind::kEdge:
       return;
     case GroupingKind::kTriplet:
-      if (certainPoints(pair.seen) < 4) return posesOfCorner(context, pair, poses);
+      if (certainPoints(pair.seen) < 4) return posesOfCorner(image, pair, poses);
       [[fallthrough]];
     case GroupingKind::kJunction:
     case GroupingKind::kChain:
     case GroupingKind::kQuad:
     case GroupingKind::kParallelPair:
-      return posesOfPoints(context, pair, poses);
+      return posesOfPoints(image, pair, poses);
     case GroupingKind::kEllipse:
-      return posesOfEllipse(context, model, pair, poses);
+      return posesOfEllipse(image, model, pair, poses);
     case GroupingKind::kEllipsePair:
-      return posesOfEllipsePair(context, model, pair, poses);
+      return posesOfEllipsePair(image, model, pair, poses);
     case GroupingKind::kEllipseLine:
-      return posesOfEllipseLine(context, model, pair, poses);
+      return posesOfEllipseLine(image, model, pair, poses);
   }
 }
 

@@ -1,9 +1,47 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 #include "monocular_eye_hand/geometry/error.h"
-#include "recognition/image_search.h"
+#include "recognition/best_four_poses.h"
+#include "recognition/fine_pose.h"
+#include "recognition/object_search.h"
+#include "recognition/reporting.h"
 
 namespace monocular_eye_hand {
+namespace {
+
+// Indices of the objects to look for; `only`: name of the one wanted, "" for all.
+std::vector<int> wantedObjects(const ModelBase& base, const std::string& only) {
+  if (!only.empty()) {
+    const int object = base.indexOf(only);
+    if (object < 0) throw BadInput("unknown object '" + only + "'; known: " + base.names());
+    return {object};
+  }
+  std::vector<int> all(base.objects.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void checkImage(const cv::Mat& grey, const Camera& camera) {
+  if (grey.empty()) throw BadInput("the image is empty");
+  if (grey.type() != CV_8UC1) throw BadInput("the image must be 8-bit grey (CV_8UC1)");
+  if (grey.cols != camera.width || grey.rows != camera.height)
+    throw BadInput("the image is " + std::to_string(grey.cols) + " x " + std::to_string(grey.rows) +
+                   " but the camera is calibrated for " + std::to_string(camera.width) + " x " +
+                   std::to_string(camera.height));
+}
+
+bool anyAccepted(const std::vector<Candidate>& candidates, const std::vector<Explanation>& chosen,
+                 double accept_probability) {
+  return std::any_of(chosen.begin(), chosen.end(), [&](const Explanation& explanation) {
+    return candidates[explanation.candidate].probability >= accept_probability;
+  });
+}
+
+}  // namespace
 
 struct Recognizer::Impl {
   ModelBase base;
@@ -25,13 +63,50 @@ const RecognitionOptions& Recognizer::options() const { return impl_->options; }
 
 RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camera,
                                         const RecognitionRequest& request) const {
+  const auto& [base, options, models] = *impl_;
   camera.check();
-  int only = -1;
-  if (!request.only.empty()) {
-    only = impl_->base.indexOf(request.only);
-    if (only < 0) throw BadInput("unknown object '" + request.only + "'; known: " + impl_->base.names());
+  const std::vector<int> wanted = wantedObjects(base, request.only);
+  checkImage(grey, camera);
+  WorkBudget budget(options.budget, options.time_limit);
+  StageLog log;
+
+  // The steps of Wong et al., 2.2. Step 1: groupings of the image; those of the models are at hand, and the
+  // pairs of both are the branches of the search tree.
+  SearchImage image = lookAtImage(grey, camera, base, options, &log);
+  const SearchTask task{image, models, wanted, options};
+
+  // Steps 2 to 5: an unmatched pair makes a hypothesis, its characteristic view is laid on the image,
+  // evaluated, and verified; what the image bears out is recorded as a candidate.
+  SearchState found = searchGroupings(task, &budget, &log);
+  std::vector<Explanation> chosen = chooseExplanations(found.candidates);
+
+  // Step 6: again from step 2, with single edges, until all groupings have been used; the search for one
+  // object ends when it has a plausible and reliable match.
+  const bool one_is_enough = !request.only.empty();
+  if (!one_is_enough || !anyAccepted(found.candidates, chosen, options.accept_probability)) {
+    found = searchEdges(task, std::move(found), chosen, &budget, &log);
+    chosen = chooseExplanations(found.candidates);
   }
-  return ImageSearch(impl_->base, impl_->models, impl_->options, grey, camera, only).run(request.previous);
+
+  // 2.4: the pose is calculated again from the best four, and fine-tuned by all features that are redundant.
+  SearchOutcome outcome;
+  outcome.candidates = recalculateBestFour(task, std::move(found.candidates), chosen, &log);
+  outcome.chosen = chooseExplanations(outcome.candidates);
+  outcome.verdicts = decide(task, outcome.candidates, outcome.chosen, &log);
+  outcome.poses = refineChosen(task, outcome.candidates, outcome.chosen, grey, camera, &log);
+  outcome.poses =
+      keepEqualPoses(task, outcome.candidates, outcome.chosen, std::move(outcome.poses), request.previous);
+
+  // Step 7: output.
+  RecognitionResult result = reportObjects(task, outcome, double(camera.width) / image.camera.width);
+  if (request.judged) result.judged = listJudged(task, outcome);
+  result.truncated = budget.cutByTime();
+  result.budget_spent = budget.cutByWork();
+  if (result.objects.empty()) result.reason = whyNothing(task, outcome, result);
+  result.stages = log.stages();
+  result.features = std::move(image.features);
+  result.groupings = std::move(image.groupings);
+  return result;
 }
 
 }  // namespace monocular_eye_hand

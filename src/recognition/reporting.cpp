@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace monocular_eye_hand {
 namespace {
-
-constexpr double kOtherPose = 10.0;  // poses farther apart than this in the image are really different [px]
 
 // Weights of the view's features that were found, and of those that it shows.
 double matchedWeight(const SearchModel& model, const Candidate& candidate) {
@@ -19,12 +18,25 @@ double matchedWeight(const SearchModel& model, const Candidate& candidate) {
   for (size_t i = 0; i < view.groups.size(); ++i) {
     int samples = 0, hits = 0;
     for (const SeenSample& s : candidate.contour)
-      if (s.group == view.groups[i] && s.inside) ++samples, hits += s.edge_point >= 0;
+      if (s.group == view.groups[i] && s.inside) {
+        ++samples;
+        hits += s.edge_point >= 0;
+      }
     if (samples == 0) continue;
     expected += view.weight[i];
     matched += view.weight[i] * hits / samples;
   }
   return expected > 0 ? matched / expected : 0;
+}
+
+// Wong et al., 2.4: back-projection error, matched features and their weights in one criterion.
+double plausibility(double matched_weight, const EvidenceTerms& terms) {
+  return matched_weight * std::exp(-0.5 * terms.rms * terms.rms);
+}
+
+// ... and how much of the pose's support is free of contradiction.
+double reliability(double matched_weight, const EvidenceTerms& terms) {
+  return matched_weight * (1 - terms.unsupported) * (1 - 0.5 * terms.continuation);
 }
 
 int matchedGroupings(const Candidate& candidate, const std::vector<Grouping>& groupings,
@@ -44,21 +56,70 @@ int matchedGroupings(const Candidate& candidate, const std::vector<Grouping>& gr
   return matched;
 }
 
+cv::Rect enlarged(const cv::Rect& box, double scale) {
+  return {int(box.x * scale), int(box.y * scale), int(box.width * scale), int(box.height * scale)};
+}
+
 // Numbers for people: no "-0", no 7.7e-13.
 double rounded(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }
 
-std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
+// A chosen candidate as it is reported.
+ObjectEstimate reportObject(const SearchTask& task, const Candidate& candidate, const Verdict& verdict,
+                            const FinePose& pose, double scale) {
+  const SearchModel& model = task.models[candidate.object];
+  const Symmetries& symmetries = model.model().symmetries;
+  const double weight = matchedWeight(model, candidate);
 
-std::string whatSpeaksAgainst(const EvidenceTerms& t) {
-  std::vector<std::pair<double, std::string>> faults{
-      {2.4 * t.continuation, "image edges run on past " + percent(t.continuation) + " of its corners"},
-      {2.0 * t.unsupported, percent(t.unsupported) + " of its features have no edge under them"},
-      {3.0 * t.off_face, percent(t.off_face) + " of its faces are not smoothly shaded"},
-      {1.5 * t.interior, percent(t.interior) + " of its faces carry edges that it does not explain"},
-      {1.5 * (1 - t.hit_ratio), "only " + percent(t.hit_ratio) + " of its contour is seen"}};
-  std::stable_sort(faults.begin(), faults.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  return faults[0].second + "; " + faults[1].second;
+  ObjectEstimate object;
+  object.object = candidate.object;
+  object.name = model.model().name;
+  object.camera_from_object = pose.camera_from_object;
+  object.covariance = pose.covariance;
+  object.plausibility = plausibility(weight, candidate.terms);
+  object.reliability = reliability(weight, candidate.terms);
+  object.probability = candidate.probability;
+  object.decision = verdict.decision;
+  object.alternatives = verdict.alternatives;
+  object.matched_features = candidate.matched_groups;
+  object.expected_features = int(candidate.terms.groups);
+  object.matched_groupings = matchedGroupings(candidate, task.image.groupings, task.image.features);
+  object.characteristic_view = model.object().views.views[candidate.view].characteristic_view;
+  object.bounding_box = enlarged(candidate.bounding_box, scale);
+  object.symmetry = describeSymmetry(symmetries);
+  object.free_axis = symmetries.axis.has_value() || symmetries.sphere;
+  object.reason = verdict.reason;
+  object.evidence = candidate.terms.named();
+  return object;
+}
+
+// A candidate as it is listed, all but its fate and its conflicts.
+JudgedCandidate reportJudged(const SearchTask& task, const Candidate& candidate) {
+  const SearchModel& model = task.models[candidate.object];
+  const double weight = matchedWeight(model, candidate);
+
+  JudgedCandidate judged;
+  judged.object = candidate.object;
+  judged.name = model.model().name;
+  judged.kind = name(candidate.kind);
+  judged.camera_from_object = candidate.pose.camera_from_object;
+  judged.plausibility = plausibility(weight, candidate.terms);
+  judged.reliability = reliability(weight, candidate.terms);
+  judged.probability = candidate.probability;
+  judged.evidence = candidate.terms.named();
+  judged.rank_score = rankScore(candidate);
+  return judged;
+}
+
+Fate fateOf(Decision decision) {
+  switch (decision) {
+    case Decision::kAccepted:
+      return Fate::kAccepted;
+    case Decision::kAmbiguous:
+      return Fate::kAmbiguous;
+    case Decision::kRejected:
+      break;
+  }
+  return Fate::kRejected;
 }
 
 }  // namespace
@@ -77,60 +138,56 @@ std::string describeSymmetry(const Symmetries& symmetries) {
   return text.str();
 }
 
-ObjectEstimate reportObject(const std::vector<SearchModel>& models, const std::vector<Candidate>& candidates,
-                            const Explanation& explanation, const RecognitionOptions& options,
-                            const Camera& camera, const std::vector<Grouping>& groupings,
-                            const FeatureSet& features) {
-  const Candidate& best = candidates[explanation.candidate];
-  const SearchModel& model = models[best.object];
-  ObjectEstimate object;
-  object.object = best.object;
-  object.name = model.model().name;
-  object.camera_from_object = best.pose.camera_from_object;
-  object.covariance = best.pose.covariance;
-  object.probability = best.probability;
-  const double weight = matchedWeight(model, best);
-  // Seed 2.4: back-projection error, matched features and their weights in one criterion.
-  object.plausibility = weight * std::exp(-0.5 * best.terms.rms * best.terms.rms);
-  // ... and how much of the pose's support is free of contradiction.
-  object.reliability = weight * (1 - best.terms.unsupported) * (1 - 0.5 * best.terms.continuation);
-  object.matched_features = best.matched_groups;
-  object.expected_features = int(best.terms.groups);
-  object.matched_groupings = matchedGroupings(best, groupings, features);
-  object.characteristic_view = model.object().views.views[best.view].characteristic_view;
-  object.bounding_box = best.bounding_box;
-  object.symmetry = describeSymmetry(model.model().symmetries);
-  object.free_axis = model.model().symmetries.axis.has_value() || model.model().symmetries.sphere;
-  object.evidence = best.terms.named();
+RecognitionResult reportObjects(const SearchTask& task, const SearchOutcome& outcome, double scale) {
+  RecognitionResult result;
+  for (size_t i = 0; i < outcome.chosen.size(); ++i) {
+    const Candidate& candidate = outcome.candidates[outcome.chosen[i].candidate];
+    ObjectEstimate object = reportObject(task, candidate, outcome.verdicts[i], outcome.poses[i], scale);
+    (object.decision == Decision::kRejected ? result.rejected : result.objects).push_back(std::move(object));
+  }
 
-  bool twin = false;
-  for (int r : explanation.rivals) {
-    const Candidate& rival = candidates[r];
-    if (rival.probability < options.ambiguous_ratio * best.probability) continue;
-    const bool other =
-        rival.object != best.object ||
-        model.poseDistance(camera, rival.pose.camera_from_object, best.pose.camera_from_object) > kOtherPose;
-    if (!other) continue;
-    object.alternatives.push_back({rival.object, rival.pose.camera_from_object, rival.probability});
-    // Less total evidence by far is a part of the better explanation, not a twin of it.
-    twin = twin || rankScore(rival) > 0.85 * rankScore(best);
+  const auto likelier = [](const ObjectEstimate& a, const ObjectEstimate& b) {
+    return a.probability > b.probability;
+  };
+  std::stable_sort(result.objects.begin(), result.objects.end(), likelier);
+  std::stable_sort(result.rejected.begin(), result.rejected.end(), likelier);
+  return result;
+}
+
+std::vector<JudgedCandidate> listJudged(const SearchTask& task, const SearchOutcome& outcome) {
+  std::vector<std::vector<int>> conflicts = allConflicts(outcome.candidates);
+  std::vector<JudgedCandidate> judged;
+  for (size_t i = 0; i < outcome.candidates.size(); ++i) {
+    judged.push_back(reportJudged(task, outcome.candidates[i]));
+    judged.back().conflicts = std::move(conflicts[i]);
   }
-  std::ostringstream reason;
-  if (best.probability < options.accept_probability) {
-    object.decision = Decision::kRejected;
-    reason << "probability " << std::round(100 * best.probability) / 100 << " below "
-           << options.accept_probability << ": " << whatSpeaksAgainst(best.terms);
-  } else if (twin) {
-    object.decision = Decision::kAmbiguous;
-    reason << object.alternatives.size()
-           << " other pose(s) or object(s) explain the same part of the image as well";
-  } else {
-    object.decision = Decision::kAccepted;
-    reason << best.matched_groups << " of " << object.expected_features << " visible features found, "
-           << percent(best.terms.hit_ratio) << " of the contour";
+
+  for (size_t i = 0; i < outcome.chosen.size(); ++i) {
+    const Explanation& explanation = outcome.chosen[i];
+    JudgedCandidate& winner = judged[explanation.candidate];
+    winner.fate = fateOf(outcome.verdicts[i].decision);
+    winner.camera_from_object = outcome.poses[i].camera_from_object;
+    for (int rival : explanation.rivals) judged[rival].suppressed_by = explanation.candidate;
   }
-  object.reason = reason.str();
-  return object;
+  return judged;
+}
+
+std::string whyNothing(const SearchTask& task, const SearchOutcome& outcome,
+                       const RecognitionResult& result) {
+  const FeatureSet& features = task.image.features;
+  std::string reason;
+  if (features.segments.empty() && features.ellipses.empty())
+    reason = "no straight edge and no ellipse in the image: too dark, blurred or empty";
+  else if (outcome.candidates.empty())
+    reason = "no pose of a known object agrees with the edges of the image";
+  else if (!result.rejected.empty())
+    reason = "best candidate is " + result.rejected.front().name + ": " + result.rejected.front().reason;
+
+  if (result.budget_spent)
+    reason += "; the budget of " + std::to_string(task.options.budget) +
+              " hypotheses was spent before all groupings were used";
+  if (result.truncated) reason += "; the time limit cut the search";
+  return reason;
 }
 
 }  // namespace monocular_eye_hand

@@ -1,19 +1,33 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "monocular_eye_hand/recognition/object_estimate.h"
-#include "monocular_eye_hand/recognition/options.h"
+#include "recognition/candidate.h"
 #include "recognition/decision.h"
-#include "recognition/search_model.h"
+#include "recognition/fine_pose.h"
+#include "recognition/search_task.h"
+#include "recognition/verdict.h"
 
 namespace monocular_eye_hand {
 
-/// Turns a chosen candidate into the object that is reported: decision with reason, alternatives,
-/// plausibility, reliability, symmetry. `rivals`: the candidates that explain the same part of the image.
-ObjectEstimate reportObject(const std::vector<SearchModel>& models, const std::vector<Candidate>& candidates,
-                            const Explanation& explanation, const RecognitionOptions& options,
-                            const Camera& camera, const std::vector<Grouping>& groupings,
-                            const FeatureSet& features);
+/// What search and decision came to: all that is reported, nothing of which reporting changes.
+struct SearchOutcome {
+  std::vector<Candidate> candidates;
+  std::vector<Explanation> chosen;
+  std::vector<Verdict> verdicts;  ///< one per explanation
+  std::vector<FinePose> poses;    ///< one per explanation
+};
+
+/// The explanations as accepted, ambiguous and rejected objects, the likeliest first. `scale`: of the full
+/// image over the search image.
+RecognitionResult reportObjects(const SearchTask& task, const SearchOutcome& outcome, double scale);
+
+/// All candidates, and why they won or lost: RecognitionResult::judged.
+std::vector<JudgedCandidate> listJudged(const SearchTask& task, const SearchOutcome& outcome);
+
+/// For people: why there is no object in the result, which must say what the limits cut.
+std::string whyNothing(const SearchTask& task, const SearchOutcome& outcome, const RecognitionResult& result);
 
 /// For people: "", "2 equal poses", "free about the axis (0, 0, 1) through (0, 0, 0) m".
 std::string describeSymmetry(const Symmetries& symmetries);

@@ -1,20 +1,43 @@
 #pragma once
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "monocular_eye_hand/features/features.h"
+#include "monocular_eye_hand/grouping/grouping.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/recognition/options.h"
 #include "recognition/evidence.h"
+#include "recognition/stage_log.h"
 
 namespace monocular_eye_hand {
 
-/// What verification looks at in one image.
-struct VerificationContext {
-  const Camera& camera;
-  const RectDomain& domain;
-  const FeatureSet& features;
-  const EvidenceMap& map;
-  const EdgeRaster& raster;
-  const cv::Mat& grey;  ///< rectified, on the domain
-  double noise = 1;     ///< gradient noise of the image [grey levels per px]
+/// One image at one size and all that is seen in it. It grows in the order of the functions below; what has
+/// not been looked at yet is empty. Can be moved but not copied: the raster refers to the features' points.
+struct SearchImage {
+  Camera camera;  ///< of this size
+  cv::Mat grey;   ///< of this size, as taken
+  RectDomain domain;
+  FeatureSet features;
+  EdgeRaster raster;  ///< of features.points, on the domain
+
+  std::vector<Grouping> groupings;  ///< withGroupings
+
+  EvidenceMap map;    ///< withEvidence; on the domain
+  cv::Mat rect_grey;  ///< withEvidence; rectified, on the domain
+  double noise = 1;   ///< withEvidence; gradient noise [grey levels per px]
 };
+
+/// What an alignment looks at: features and where their edge points lie. `grey`: CV_8UC1 of the camera's
+/// size.
+SearchImage withFeatures(const cv::Mat& grey, const Camera& camera, const FeatureOptions& options);
+/// ... and what hypotheses begin with.
+SearchImage withGroupings(SearchImage image, const ModelBase& base, const GroupingOptions& options);
+/// ... and what poses are scored and verified by.
+SearchImage withEvidence(SearchImage image);
+
+/// The image as it is searched: halved until it is no wider than options.search_width, then all of the above.
+/// `grey`: CV_8UC1 of the camera's size.
+SearchImage lookAtImage(const cv::Mat& grey, const Camera& camera, const ModelBase& base,
+                        const RecognitionOptions& options, StageLog* log);
 
 }  // namespace monocular_eye_hand

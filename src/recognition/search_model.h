@@ -56,7 +56,8 @@ class SearchModel {
   /// sphere; *view is the sampled view nearest to it.
   Rigid3 canonical(const Rigid3& camera_from_object, int* view) const;
 
-  /// Seed 2.3.1: the camera is outside the object's (bounding) hull and every point is in front of it.
+  /// Wong et al., 2.3.1: the camera is outside the object's (bounding) hull and every point is in front of
+  /// it.
   bool seenFromOutside(const Rigid3& camera_from_object) const;
 
   /// Largest image distance [px] between the model's extent points under two poses, modulo the symmetry

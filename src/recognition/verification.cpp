@@ -16,7 +16,7 @@ constexpr double kIndependent = 5.0;       // contour length that counts as one 
 constexpr double kUnsupportedHits = 0.35;  // a feature with a smaller share of hits is unsupported
 constexpr double kMinFeature = 8.0;        // shorter visible features are not counted [px]
 
-void matchSamples(const VerificationContext& context, Candidate* candidate) {
+void matchSamples(const SearchImage& context, Candidate* candidate) {
   for (SeenSample& s : candidate->contour) {
     if (!s.inside) continue;
     s.edge_point = context.raster.find(s.uv, {-s.direction.y(), s.direction.x()}, kHitRange);
@@ -27,7 +27,7 @@ void matchSamples(const VerificationContext& context, Candidate* candidate) {
                            candidate->claimed.end());
 }
 
-void contourTerms(const VerificationContext& context, Candidate* candidate) {
+void contourTerms(const SearchImage& context, Candidate* candidate) {
   EvidenceTerms& terms = candidate->terms;
   double sum = 0, squares = 0;
   int inside = 0, hits = 0, outline = 0, outline_hits = 0;
@@ -99,7 +99,7 @@ class DrawnLines {
 
 // An image edge that runs straight on past a model edge's end contradicts the end: the part of a larger box,
 // a tile.
-void continuationTerm(const VerificationContext& context, const ObjectModel& model, Candidate* candidate) {
+void continuationTerm(const SearchImage& context, const ObjectModel& model, Candidate* candidate) {
   const DrawnLines drawn(candidate->contour);
   double running = 0, tested = 0;
   const Rigid3& pose = candidate->pose.camera_from_object;
@@ -145,7 +145,7 @@ void continuationTerm(const VerificationContext& context, const ObjectModel& mod
 }
 
 // Image segments that the drawing uses only in part: what is left over belongs to something else.
-void overhangTerm(const VerificationContext& context, Candidate* candidate) {
+void overhangTerm(const SearchImage& context, Candidate* candidate) {
   double used_length = 0, left_over = 0;
   for (const LineSegment& segment : context.features.segments) {
     if (segment.joined()) continue;  // its pieces speak for it
@@ -161,7 +161,7 @@ void overhangTerm(const VerificationContext& context, Candidate* candidate) {
   candidate->terms.overhang = used_length > 0 ? left_over / used_length : 0;
 }
 
-void boundingBox(const VerificationContext& context, Candidate* candidate) {
+void boundingBox(const SearchImage& context, Candidate* candidate) {
   Eigen::AlignedBox2d box;
   for (const SeenSample& s : candidate->contour) box.extend(s.uv);
   if (box.isEmpty()) return;
@@ -196,7 +196,7 @@ std::map<std::string, double> EvidenceTerms::named() const {
           {"rms", rms}};
 }
 
-void verify(const SearchModel& model, const VerificationContext& context, Candidate* candidate) {
+void verify(const SearchModel& model, const SearchImage& context, Candidate* candidate) {
   candidate->claimed.clear();
   candidate->covered.clear();
   candidate->terms = EvidenceTerms();

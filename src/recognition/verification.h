@@ -6,6 +6,6 @@
 namespace monocular_eye_hand {
 
 /// Fills contour, claimed, covered and terms for the candidate's pose.
-void verify(const SearchModel& model, const VerificationContext& context, Candidate* candidate);
+void verify(const SearchModel& model, const SearchImage& image, Candidate* candidate);
 
 }  // namespace monocular_eye_hand

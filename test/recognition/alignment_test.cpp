@@ -7,17 +7,13 @@
 namespace monocular_eye_hand {
 namespace {
 
-const std::vector<double> kRanges{6.0, 4.0, 2.5, 1.5};
-
 // What an alignment needs of one shipped picture of one part.
 class Alignment : public testing::TestWithParam<const char*> {
  protected:
   Alignment()
       : picture_(shippedPicture(std::string("golden/") + GetParam())),
         model_(shippedModels().objects.at(size_t(shippedModels().indexOf(GetParam())))),
-        domain_(rectDomain(picture_.camera)),
-        features_(detectFeatures(picture_.grey, picture_.camera)),
-        raster_(features_, domain_),
+        image_(withFeatures(picture_.grey, picture_.camera, {})),
         truth_(picture_.truth.at(0).camera_from_object) {}
 
   // A turn of `angle` rad about a random axis through the centre, `pixels` sideways, `share` of the distance.
@@ -42,9 +38,7 @@ class Alignment : public testing::TestWithParam<const char*> {
 
   Picture picture_;
   SearchModel model_;
-  RectDomain domain_;
-  FeatureSet features_;
-  EdgeRaster raster_;
+  SearchImage image_;
   Rigid3 truth_;
 };
 
@@ -55,11 +49,14 @@ TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent)
   const double amount = std::string(GetParam()) == "frame" ? 0.6 : 1;
   int coarse = 0, fine = 0;
   for (int i = 0; i < tries; ++i) {
-    int view = 0;
-    Rigid3 pose = model_.canonical(perturbedTruth(0.07 * amount, 4 * amount, 0.04 * amount, &random), &view);
-    if (!alignCoarsely(model_, picture_.camera, raster_, &pose, &view)) continue;
-    coarse += imageError(pose) < 5;
-    const RefinedPose refined = alignFinely(model_, picture_.camera, domain_, raster_, pose, kRanges, 4.0);
+    ViewedPose start;
+    start.camera_from_object =
+        model_.canonical(perturbedTruth(0.07 * amount, 4 * amount, 0.04 * amount, &random), &start.view);
+    const std::optional<ViewedPose> moved = alignCoarsely(model_, image_, start);
+    if (!moved) continue;
+    coarse += imageError(moved->camera_from_object) < 5;
+    const RefinedPose refined =
+        alignFinely(model_, image_, moved->camera_from_object, kFineRanges, kFineStep);
     fine += refined.well_posed && imageError(refined.camera_from_object) < 1.5;
   }
   EXPECT_GE(coarse, 18);
@@ -69,8 +66,8 @@ TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent)
 TEST_P(Alignment, fine_alone_is_exact_from_nearby_and_knows_its_certainty) {
   std::mt19937 random(8);
   for (int i = 0; i < 5; ++i) {
-    const RefinedPose refined = alignFinely(model_, picture_.camera, domain_, raster_,
-                                            perturbedTruth(0.01, 1, 0.01, &random), kRanges, 4.0);
+    const RefinedPose refined =
+        alignFinely(model_, image_, perturbedTruth(0.01, 1, 0.01, &random), kFineRanges, kFineStep);
     ASSERT_TRUE(refined.well_posed);
     EXPECT_LT(imageError(refined.camera_from_object), 1.0);
     EXPECT_LT(refined.rms, 0.6);
@@ -85,34 +82,35 @@ TEST_P(Alignment, fine_alone_is_exact_from_nearby_and_knows_its_certainty) {
 }
 
 TEST_P(Alignment, where_there_is_no_edge_it_fails_and_says_so) {
-  const FeatureSet nothing;
-  const EdgeRaster empty(nothing, domain_);
-  int view = 0;
-  Rigid3 pose = model_.canonical(truth_, &view);
-  EXPECT_FALSE(alignCoarsely(model_, picture_.camera, empty, &pose, &view));
-  const RefinedPose refined = alignFinely(model_, picture_.camera, domain_, empty, truth_, kRanges, 4.0);
+  const SearchImage empty =
+      withFeatures(cv::Mat(picture_.grey.size(), CV_8UC1, cv::Scalar(90)), picture_.camera, {});
+  ASSERT_TRUE(empty.features.points.empty());
+  ViewedPose start;
+  start.camera_from_object = model_.canonical(truth_, &start.view);
+  EXPECT_FALSE(alignCoarsely(model_, empty, start));
+  const RefinedPose refined = alignFinely(model_, empty, truth_, kFineRanges, kFineStep);
   EXPECT_FALSE(refined.well_posed);
   EXPECT_LT(difference(refined.camera_from_object, truth_).norm(), 1e-12) << "the start comes back";
 }
 
 TEST_P(Alignment, the_projected_contour_lies_on_the_image_edges) {
   const std::vector<SeenSample> contour =
-      projectContour(model_.model(), truth_, picture_.camera, domain_, 4.0);
+      projectContour(model_.model(), truth_, picture_.camera, image_.domain, 4.0);
   ASSERT_GT(contour.size(), 50u);
   int on_edge = 0, outline = 0;
   for (const SeenSample& s : contour) {
     ASSERT_LT((s.uv - picture_.camera.project(truth_ * s.p_in_object)).norm(), 1e-9);
     ASSERT_NEAR(s.direction.norm(), 1, 1e-9);
-    ASSERT_EQ(s.inside, domain_.contains(s.uv.x(), s.uv.y()));
+    ASSERT_EQ(s.inside, image_.domain.contains(s.uv.x(), s.uv.y()));
     ASSERT_GE(s.group, 0);
     ASSERT_LT(s.group, model_.model().groupCount());
     ASSERT_EQ(s.edge_point, -1) << "matching comes later";
     outline += s.silhouette;
-    on_edge += raster_.find(s.uv, {-s.direction.y(), s.direction.x()}, 2) >= 0;
+    on_edge += image_.raster.find(s.uv, {-s.direction.y(), s.direction.x()}, 2) >= 0;
   }
   EXPECT_GT(outline, 10);
   EXPECT_GT(on_edge, 0.8 * double(contour.size()));
-  const auto coarse = projectContour(model_.model(), truth_, picture_.camera, domain_, 8.0);
+  const auto coarse = projectContour(model_.model(), truth_, picture_.camera, image_.domain, 8.0);
   EXPECT_NEAR(double(contour.size()) / double(coarse.size()), 2, 0.5);
 }
 

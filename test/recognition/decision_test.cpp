@@ -3,14 +3,17 @@
 #include <gmock/gmock.h>
 
 #include <numeric>
+#include <random>
 
 #include "monocular_eye_hand/options/options.h"
 
 namespace monocular_eye_hand {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::Not;
 
 struct Term {
   const char* name;
@@ -158,6 +161,36 @@ TEST(ChooseExplanations, edge_points_have_one_owner) {
   EXPECT_EQ(chooseExplanations({candidate(90, 0, 100, 0, 60), candidate(50, 300, 100, 20, 60)}).size(), 1u);
   // A common edge of two objects in contact.
   EXPECT_EQ(chooseExplanations({candidate(90, 0, 100, 0, 60), candidate(50, 300, 100, 50, 60)}).size(), 2u);
+}
+
+TEST(AllConflicts, let_the_choice_be_made_again_with_other_probabilities) {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> place(0, 400);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Candidate> candidates;
+  for (int i = 0; i < 40; ++i)
+    candidates.push_back(
+        candidate(20 + 100 * uniform(random), place(random), 20 + place(random) / 4, place(random), 60));
+  const std::vector<std::vector<int>> conflicts = allConflicts(candidates);
+
+  for (int round = 0; round < 5; ++round) {
+    for (Candidate& c : candidates) c.probability = uniform(random);
+    for (const Explanation& e : chooseExplanations(candidates)) {
+      for (int rival : e.rivals) EXPECT_THAT(conflicts[rival], Contains(e.candidate));
+      for (const Explanation& other : chooseExplanations(candidates)) {
+        if (rankScore(candidates[other.candidate]) <= rankScore(candidates[e.candidate])) continue;
+        EXPECT_THAT(conflicts[e.candidate], Not(Contains(other.candidate)));
+      }
+    }
+  }
+}
+
+TEST(AllConflicts, name_the_one_that_suppresses_not_the_one_that_is) {
+  // Two thirds of the second one's edge points are the first one's, but they are few of the first one's.
+  const auto conflicts = allConflicts({candidate(90, 0, 100, 0, 600), candidate(50, 300, 100, 20, 60)});
+  ASSERT_EQ(conflicts.size(), 2u);
+  EXPECT_THAT(conflicts[0], IsEmpty());
+  EXPECT_THAT(conflicts[1], ElementsAre(0));
 }
 
 TEST(ChooseExplanations, of_nothing_is_nothing) { EXPECT_THAT(chooseExplanations({}), IsEmpty()); }

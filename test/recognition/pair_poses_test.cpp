@@ -51,19 +51,18 @@ class EveryKind : public testing::Test {
  protected:
   // The smallest image distance of a pose from the true one over all orders.
   double nearest(const SearchModel& model, const ModelGrouping& known, const Seen& seen, const Rigid3& pose) {
-    const SearchContext context{camera_, seen.features, groupings_, map_, options_};
+    SearchImage image;
+    image.camera = camera_;
+    image.features = seen.features;
     double best = 1e9;
     for (const Correspondence& order : known.orders) {
       std::vector<Rigid3> poses;
-      posesOfPair(context, model.model(), {seen.grouping, known, order}, &poses);
+      posesOfPair(image, model.model(), {seen.grouping, known, order}, &poses);
       for (const Rigid3& p : poses) best = std::min(best, model.poseDistance(camera_, p, pose));
     }
     return best;
   }
   const Camera camera_ = testCamera();
-  const EvidenceMap map_{FeatureSet{}, rectDomain(camera_)};
-  const std::vector<Grouping> groupings_;
-  const RecognitionOptions options_;
 };
 
 Rigid3 poseOfView(const SearchModel& model, int view, std::mt19937* random) {

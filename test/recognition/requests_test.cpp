@@ -1,4 +1,6 @@
 // What is asked of one recognition, what it refuses, and that the same question has the same answer.
+#include <algorithm>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
@@ -211,6 +213,93 @@ TEST(TimeLimit, a_generous_one_changes_nothing) {
   expectSame(recognizerWith(options).recognize(picture.grey, picture.camera),
              shippedRecognizer().recognize(picture.grey, picture.camera));
 }
+
+RecognitionRequest judgedToo() {
+  RecognitionRequest request;
+  request.judged = true;
+  return request;
+}
+
+// Index of the candidate that suppresses each one, -1: chosen. As JudgedCandidate says.
+std::vector<int> chosenAgain(const std::vector<JudgedCandidate>& judged) {
+  std::vector<int> order(judged.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return judged[a].rank_score > judged[b].rank_score; });
+
+  std::vector<int> chosen, suppressed_by(judged.size(), -1);
+  for (int i : order) {
+    const std::vector<int>& conflicts = judged[i].conflicts;
+    const auto winner = std::find_if(chosen.begin(), chosen.end(), [&](int c) {
+      return std::binary_search(conflicts.begin(), conflicts.end(), c);
+    });
+    if (winner == chosen.end())
+      chosen.push_back(i);
+    else
+      suppressed_by[i] = *winner;
+  }
+  return suppressed_by;
+}
+
+class JudgedOn : public testing::TestWithParam<const char*> {
+ protected:
+  const Picture picture_ = shippedPicture(GetParam());
+  const RecognitionResult result_ =
+      shippedRecognizer().recognize(picture_.grey, picture_.camera, judgedToo());
+};
+
+TEST_P(JudgedOn, asking_for_the_candidates_changes_no_answer) {
+  const RecognitionResult plain = shippedRecognizer().recognize(picture_.grey, picture_.camera);
+  expectSame(plain, result_);
+  EXPECT_TRUE(plain.judged.empty());
+  EXPECT_GT(result_.judged.size(), result_.objects.size() + result_.rejected.size());
+}
+
+TEST_P(JudgedOn, the_choice_can_be_made_again) {
+  const std::vector<int> suppressed_by = chosenAgain(result_.judged);
+  for (size_t i = 0; i < result_.judged.size(); ++i)
+    EXPECT_EQ(result_.judged[i].suppressed_by, suppressed_by[i]) << i;
+}
+
+TEST_P(JudgedOn, the_chosen_ones_are_those_that_are_reported) {
+  std::vector<const ObjectEstimate*> reported;
+  for (const auto* objects : {&result_.objects, &result_.rejected})
+    for (const ObjectEstimate& object : *objects) reported.push_back(&object);
+
+  size_t chosen = 0;
+  for (const JudgedCandidate& judged : result_.judged) {
+    EXPECT_EQ(judged.fate == Fate::kSuppressed, judged.suppressed_by >= 0);
+    if (judged.fate == Fate::kSuppressed) continue;
+    ++chosen;
+    const auto same = std::find_if(reported.begin(), reported.end(), [&](const ObjectEstimate* object) {
+      return object->camera_from_object.translation == judged.camera_from_object.translation &&
+             object->camera_from_object.rotation == judged.camera_from_object.rotation;
+    });
+    ASSERT_NE(same, reported.end()) << judged.name;
+    EXPECT_EQ((*same)->object, judged.object);
+    EXPECT_EQ((*same)->name, judged.name);
+    EXPECT_EQ((*same)->probability, judged.probability);
+    EXPECT_EQ((*same)->plausibility, judged.plausibility);
+    EXPECT_EQ((*same)->reliability, judged.reliability);
+    EXPECT_EQ((*same)->evidence, judged.evidence);
+    EXPECT_STREQ(name((*same)->decision), name(judged.fate));
+  }
+  EXPECT_EQ(chosen, reported.size());
+}
+
+TEST_P(JudgedOn, rank_scores_are_what_the_header_says) {
+  for (const JudgedCandidate& judged : result_.judged) {
+    const double against =
+        std::min(0.9, 1.5 * judged.evidence.at("off_face") + 0.5 * judged.evidence.at("continuation"));
+    const double score = judged.evidence.at("sum") * (1 - against) * (judged.probability + 0.05);
+    EXPECT_NEAR(judged.rank_score, score, 1e-9 * std::abs(score));
+    EXPECT_FALSE(judged.kind.empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, JudgedOn,
+                         testing::Values("demo/two_bridges_and_grenade", "demo/nothing_known"),
+                         [](const auto& info) { return std::string(info.param).substr(5); });
 
 TEST(Options, distances_and_sizes_that_are_not_considered_are_not_found) {
   const Picture picture = shippedPicture("golden/grenade");  // stands at 0.45 m

@@ -8,33 +8,16 @@
 namespace monocular_eye_hand {
 namespace {
 
-// A picture and all that verification looks at in it.
-struct Looked {
-  Looked(const cv::Mat& image, const Camera& its_camera)
-      : grey(image),
-        camera(its_camera),
-        domain(rectDomain(camera)),
-        rect_grey(rectifiedGrey(grey, camera, domain)),
-        features(detectFeatures(grey, camera)),
-        map(features, domain),
-        raster(features, domain) {}
+SearchImage looked(const cv::Mat& grey, const Camera& camera) {
+  return withEvidence(withFeatures(grey, camera, {}));
+}
 
-  Candidate verified(const SearchModel& model, const Rigid3& pose) const {
-    Candidate candidate;
-    candidate.pose.camera_from_object = pose;
-    candidate.pose.camera_from_object = model.canonical(pose, &candidate.view);
-    verify(model, {camera, domain, features, map, raster, rect_grey, 1.0}, &candidate);
-    return candidate;
-  }
-
-  cv::Mat grey;
-  Camera camera;
-  RectDomain domain;
-  cv::Mat rect_grey;
-  FeatureSet features;
-  EvidenceMap map;
-  EdgeRaster raster;
-};
+Candidate verified(const SearchImage& image, const SearchModel& model, const Rigid3& pose) {
+  Candidate candidate;
+  candidate.pose.camera_from_object = model.canonical(pose, &candidate.view);
+  verify(model, image, &candidate);
+  return candidate;
+}
 
 KnownObject knownBox(const std::string& name, const Eigen::Vector3d& size) {
   KnownObject object;
@@ -53,10 +36,10 @@ class OnGolden : public testing::TestWithParam<const char*> {};
 
 TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
   const Picture picture = shippedPicture(std::string("golden/") + GetParam());
-  const Looked looked(picture.grey, picture.camera);
+  const SearchImage image = looked(picture.grey, picture.camera);
   const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf(GetParam()))));
   const Rigid3 truth = picture.truth.at(0).camera_from_object;
-  const Candidate right = looked.verified(model, truth);
+  const Candidate right = verified(image, model, truth);
   const EvidenceTerms& t = right.terms;
   EXPECT_GT(t.hit_ratio, 0.85);
   EXPECT_GT(t.silhouette_hits, 0.75);
@@ -74,7 +57,7 @@ TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
   EXPECT_LE(t.solidity, 1);
   EXPECT_EQ(right.matched_groups, int(std::lround(t.groups * (1 - t.unsupported))));
   for (const auto& [du, dv] : {std::pair{15.0, 0.0}, {0.0, 15.0}, {-12.0, 12.0}}) {
-    const EvidenceTerms wrong = looked.verified(model, shifted(truth, du, dv, picture.camera)).terms;
+    const EvidenceTerms wrong = verified(image, model, shifted(truth, du, dv, picture.camera)).terms;
     EXPECT_LT(wrong.hit_ratio, 0.6 * t.hit_ratio) << du << ", " << dv;
     EXPECT_LT(wrong.sum, 0.4 * t.sum) << du << ", " << dv;
     EXPECT_GT(wrong.unsupported, t.unsupported + 0.2) << du << ", " << dv;
@@ -85,9 +68,9 @@ TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
 
 TEST_P(OnGolden, says_which_edge_points_and_cells_it_takes) {
   const Picture picture = shippedPicture(std::string("golden/") + GetParam());
-  const Looked looked(picture.grey, picture.camera);
+  const SearchImage image = looked(picture.grey, picture.camera);
   const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf(GetParam()))));
-  const Candidate c = looked.verified(model, picture.truth.at(0).camera_from_object);
+  const Candidate c = verified(image, model, picture.truth.at(0).camera_from_object);
   const auto strictlyAscending = [](const std::vector<int>& v) {
     return std::adjacent_find(v.begin(), v.end(), std::greater_equal<int>()) == v.end();
   };
@@ -97,7 +80,7 @@ TEST_P(OnGolden, says_which_edge_points_and_cells_it_takes) {
   for (const SeenSample& s : c.contour) {
     if (s.edge_point < 0) continue;
     answered.insert(s.edge_point);
-    ASSERT_LT((looked.features.points.at(size_t(s.edge_point)).uv.cast<double>() - s.uv).norm(), 4);
+    ASSERT_LT((image.features.points.at(size_t(s.edge_point)).uv.cast<double>() - s.uv).norm(), 4);
   }
   EXPECT_EQ(c.claimed, std::vector<int>(answered.begin(), answered.end()));
   const cv::Rect truth = picture.truth.at(0).box_visible;
@@ -105,7 +88,7 @@ TEST_P(OnGolden, says_which_edge_points_and_cells_it_takes) {
   EXPECT_NEAR(c.bounding_box.y, truth.y, 3);
   EXPECT_NEAR(c.bounding_box.br().x, truth.br().x, 3);
   EXPECT_NEAR(c.bounding_box.br().y, truth.br().y, 3);
-  const int cells_x = (looked.domain.width + kCoverCell - 1) / kCoverCell;
+  const int cells_x = (image.domain.width + kCoverCell - 1) / kCoverCell;
   for (int cell : c.covered) {
     const cv::Rect area(cell % cells_x * kCoverCell, cell / cells_x * kCoverCell, kCoverCell, kCoverCell);
     ASSERT_GT((area & c.bounding_box).area(), 0);
@@ -135,8 +118,8 @@ class Bars : public testing::Test {
     const Scene seen = scene(length, material);
     RenderOptions options;
     options.shadows = false;
-    return Looked(renderScene(seen, testCamera(), options).grey, testCamera())
-        .verified(model_, seen.world_from_camera.inverse());  // the short bar stands at the origin
+    const SearchImage image = looked(renderScene(seen, testCamera(), options).grey, testCamera());
+    return verified(image, model_, seen.world_from_camera.inverse());  // the short bar stands at the origin
   }
 
   KnownObject object_;
@@ -180,14 +163,14 @@ TEST_F(Bars, terms_have_the_names_of_the_evidence) {
 
 TEST_F(Bars, the_constellation_pairs_each_visible_corner_with_its_image) {
   const Scene seen = scene(0.08, {});
-  const Looked looked(renderScene(seen, testCamera()).grey, testCamera());
+  const SearchImage image = looked(renderScene(seen, testCamera()).grey, testCamera());
   const Rigid3 truth = seen.world_from_camera.inverse();
   ModelBase base;
   base.objects.push_back(object_);
-  const std::vector<ImageCorner> corners = imageCorners(groupFeatures(looked.features, base));
-  const Candidate candidate = looked.verified(model_, shifted(truth, 1, -1, testCamera()));
+  const std::vector<ImageCorner> corners = imageCorners(groupFeatures(image.features, base));
+  const Candidate candidate = verified(image, model_, shifted(truth, 1, -1, testCamera()));
   const std::vector<PointMatch> matches =
-      growConstellation(model_, candidate, testCamera(), looked.features, corners);
+      growConstellation(model_, candidate, testCamera(), image.features, corners);
   EXPECT_GE(matches.size(), 5u) << "of the seven visible corners";
   EXPECT_LE(matches.size(), 7u);
   std::set<std::pair<double, double>> image_corners;
@@ -209,8 +192,8 @@ TEST_F(Bars, the_constellation_pairs_each_visible_corner_with_its_image) {
   const RefinedPose pose = poseFromBestFour(matches, candidate.pose.camera_from_object, testCamera());
   ASSERT_TRUE(pose.well_posed);
   EXPECT_LT(poseError(object_.model, testCamera(), pose.camera_from_object, truth).image, 2);
-  const Candidate elsewhere = looked.verified(model_, shifted(truth, 60, 0, testCamera()));
-  EXPECT_LE(growConstellation(model_, elsewhere, testCamera(), looked.features, corners).size(), 1u);
+  const Candidate elsewhere = verified(image, model_, shifted(truth, 60, 0, testCamera()));
+  EXPECT_LE(growConstellation(model_, elsewhere, testCamera(), image.features, corners).size(), 1u);
 }
 
 Grouping junction(const Eigen::Vector2d& corner, double sigma, int first, int second) {

@@ -45,6 +45,31 @@ struct ObjectEstimate {
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
 };
 
+/// What became of a candidate: chosen and then accepted, ambiguous or rejected, or suppressed by a chosen one
+/// that explains the same part of the image better.
+enum class Fate { kAccepted, kAmbiguous, kRejected, kSuppressed };
+const char* name(Fate fate);
+
+/// A candidate that was verified and had evidence, and why it won or lost. The choice can be made again with
+/// other probabilities: go through the candidates by descending rank score (equal ones in the order of the
+/// list); each is suppressed by the first one chosen so far that is among its conflicts, else it is chosen.
+struct JudgedCandidate {
+  int object = -1;  ///< ModelBase::objects
+  std::string name;
+  std::string kind;           ///< of the grouping that its hypothesis came from, as name(GroupingKind)
+  Rigid3 camera_from_object;  ///< of a chosen one as reported, of a suppressed one as verified
+  double plausibility = 0;    ///< as ObjectEstimate's
+  double reliability = 0;     ///< as ObjectEstimate's
+  double probability = 0;     ///< calibrated probability that object and pose are right
+  std::map<std::string, double> evidence;  ///< the terms of the decision by name
+  /// Order of choice: sum * (1 - min(0.9, 1.5 off_face + 0.5 continuation)) * (probability + 0.05), of the
+  /// terms in `evidence`.
+  double rank_score = 0;
+  Fate fate = Fate::kSuppressed;
+  int suppressed_by = -1;      ///< index in the list; -1: chosen
+  std::vector<int> conflicts;  ///< indices of all others that, chosen, would suppress this one; ascending
+};
+
 /// Counts and times of one stage, for people and the explain page.
 struct StageReport {
   std::string name;
@@ -54,7 +79,8 @@ struct StageReport {
 
 struct RecognitionResult {
   std::vector<ObjectEstimate> objects;   ///< accepted and ambiguous, best first
-  std::vector<ObjectEstimate> rejected;  ///< candidates that were judged and rejected, best first
+  std::vector<ObjectEstimate> rejected;  ///< candidates that were chosen and rejected, best first
+  std::vector<JudgedCandidate> judged;   ///< RecognitionRequest::judged: all candidates, as they came up
   std::string reason;                    ///< when nothing is found: why
   bool truncated = false;                ///< the time limit left work undone
   bool budget_spent = false;             ///< the budget left groupings unused
@@ -68,6 +94,7 @@ struct RecognitionRequest {
   /// Name of the one object wanted ("": all); the search stops at the first plausible and reliable match.
   std::string only;
   std::vector<ObjectEstimate> previous;  ///< last frame's objects: equal poses are reported nearest to these
+  bool judged = false;  ///< fill RecognitionResult::judged, for fitting and studying decisions; costs time
 };
 
 }  // namespace monocular_eye_hand

@@ -1,0 +1,83 @@
+#include "recognition/search_image.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+namespace monocular_eye_hand {
+namespace {
+
+double gradientNoise(const FeatureSet& features) {
+  if (features.points.empty()) return 1;
+
+  std::vector<float> gradients;
+  gradients.reserve(features.points.size());
+  for (const EdgePoint& point : features.points) gradients.push_back(point.gradient);
+
+  const auto tenth = gradients.begin() + gradients.size() / 10;
+  std::nth_element(gradients.begin(), tenth, gradients.end());
+  return *tenth;
+}
+
+struct GreyImage {
+  cv::Mat grey;
+  Camera camera;
+};
+
+GreyImage atSearchSize(const cv::Mat& grey, const Camera& camera, int search_width) {
+  double scale = 1;
+  while (camera.width * scale > search_width) scale /= 2;
+  if (scale == 1) return {grey, camera};
+
+  GreyImage small;
+  small.camera = camera.resized(scale);
+  cv::resize(grey, small.grey, {small.camera.width, small.camera.height}, 0, 0, cv::INTER_AREA);
+  return small;
+}
+
+}  // namespace
+
+SearchImage withFeatures(const cv::Mat& grey, const Camera& camera, const FeatureOptions& options) {
+  SearchImage image;
+  image.camera = camera;
+  image.grey = grey;
+  image.domain = rectDomain(camera);
+  image.features = detectFeatures(grey, camera, options);
+  image.raster = EdgeRaster(image.features, image.domain);
+  return image;
+}
+
+SearchImage withGroupings(SearchImage image, const ModelBase& base, const GroupingOptions& options) {
+  image.groupings = groupFeatures(image.features, base, options);
+  return image;
+}
+
+SearchImage withEvidence(SearchImage image) {
+  image.map = EvidenceMap(image.features, image.domain);
+  image.rect_grey = rectifiedGrey(image.grey, image.camera, image.domain);
+  image.noise = gradientNoise(image.features);
+  return image;
+}
+
+SearchImage lookAtImage(const cv::Mat& grey, const Camera& camera, const ModelBase& base,
+                        const RecognitionOptions& options, StageLog* log) {
+  SearchImage image = log->timed("features", [&](StageReport* report) {
+    const GreyImage small = atSearchSize(grey, camera, options.search_width);
+    SearchImage seen = withFeatures(small.grey, small.camera, options.features);
+    report->counts = {{"edge points", double(seen.features.points.size())},
+                      {"traces", double(seen.features.traces.size())},
+                      {"segments", double(seen.features.segments.size())},
+                      {"ellipses", double(seen.features.ellipses.size())}};
+    return seen;
+  });
+
+  image = log->timed("grouping", [&](StageReport* report) {
+    SearchImage grouped = withGroupings(std::move(image), base, options.grouping);
+    for (const Grouping& grouping : grouped.groupings) ++report->counts[name(grouping.kind)];
+    return grouped;
+  });
+
+  return log->timed("evidence map", [&](StageReport*) { return withEvidence(std::move(image)); });
+}
+
+}  // namespace monocular_eye_hand

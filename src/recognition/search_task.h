@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "monocular_eye_hand/recognition/options.h"
+#include "recognition/search_image.h"
+#include "recognition/search_model.h"
+
+namespace monocular_eye_hand {
+
+/// What is searched for, and in which image. Refers to what must outlive it.
+struct SearchTask {
+  const SearchImage& image;  ///< with groupings and evidence
+  const std::vector<SearchModel>& models;
+  const std::vector<int>& wanted;  ///< the models that are searched for, ascending
+  const RecognitionOptions& options;
+};
+
+}  // namespace monocular_eye_hand
