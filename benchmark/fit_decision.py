@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """fit_decision.py DUMP.csv... : fits the weights of the decision (recognition/decision_weights.h) by logistic regression.
 
-Each DUMP.csv is what `evaluate --dump` wrote: one judged candidate a line, with its evidence and its error. A
-candidate is right when its MSPD is below 10 px. Prints the weights (the `decision:` block of the recogniser's
+Each DUMP.csv is what `evaluate --dump` wrote: one judged candidate a line, with its evidence and its error. Fitted are
+those that no better one suppressed, as the decision is made on them; with --suppressed all of them. A candidate is right when its MSPD is below 10 px. Prints the weights (the `decision:` block of the recogniser's
 options), how well probability and truth agree, and found/right trade-offs. With --holdout COLUMN the fit is repeated
 with each value of that column left out and the held-out candidates are reported.
 """
@@ -25,11 +25,13 @@ def feature(row, name):
     return min(float(row[name]), 0.5) if name == 'interior' else float(row[name])
 
 
-def read(paths):
+def read(paths, suppressed):
     rows = []
     for path in paths:
         with open(path, newline='') as f:
             for row in csv.DictReader(f):
+                if row.get('fate') == 'suppressed' and not suppressed:
+                    continue
                 row['file'] = path
                 rows.append(row)
     x = np.array([[feature(r, n) for n in NAMES] for r in rows])
@@ -78,8 +80,9 @@ def main():
     parser.add_argument('dumps', nargs='+')
     parser.add_argument('--holdout', help='column whose values are left out in turn, e.g. scene_id')
     parser.add_argument('--ridge', type=float, default=3.0)
+    parser.add_argument('--suppressed', action='store_true', help='fit the suppressed candidates, too')
     args = parser.parse_args()
-    rows, x, y = read(args.dumps)
+    rows, x, y = read(args.dumps, args.suppressed)
     bias, w = fit(x, y, args.ridge)
     print('decision:\n  bias: %.3f' % bias)
     for n, v in zip(NAMES, w):

@@ -86,19 +86,18 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
   const std::vector<int> ids = objectIds(models);
   ImageSource source(args);
   Progress progress(split.images.size());
+  RecognitionRequest request;
+  request.judged = dump != nullptr;
   Run run;
   for (const BopImage& image : split.images) {
     const CameraImage input = source.load(image);
     const auto start = std::chrono::steady_clock::now();
-    const RecognitionResult result = recognizer.recognize(input.grey, input.camera);
+    const RecognitionResult result = recognizer.recognize(input.grey, input.camera, request);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     run.times[{image.scene, image.id}] = seconds;
     addRows(result.objects, ids, image, seconds, &run.results);
     if (args.all) addRows(result.rejected, ids, image, seconds, &run.results);
-    if (dump)
-      for (const auto* candidates : {&result.objects, &result.rejected})
-        for (const ObjectEstimate& candidate : *candidates)
-          dump->add(image, candidate, ids.at(size_t(candidate.object)));
+    if (dump) dump->add(image, result.judged, ids);
     char text[100];
     std::snprintf(text, sizeof text, "scene %d image %d: %zu objects in %.3f s", image.scene, image.id,
                   result.objects.size(), seconds);
@@ -200,7 +199,8 @@ int main(int argc, char** argv) {
       ->take_all();
   app.add_flag("--all", args.all, "write rejected candidates too");
   app.add_option("--out", args.out, "results file R.csv; R.times.csv is written beside it")->required();
-  app.add_option("--dump", args.dump, "CSV of every judged candidate with its evidence and its error");
+  app.add_option("--dump", args.dump,
+                 "CSV of every judged candidate, suppressed ones too: evidence, error, why it lost");
   int exit_code = 0;
   if (!parseArguments(&app, argc, argv, &exit_code)) return exit_code;
   return runTool("evaluate", [&] { return evaluate(args); });

@@ -84,14 +84,17 @@ TEST_F(Evaluate, all_adds_the_rejected_and_dump_tells_of_every_candidate) {
               testing::StartsWith("scene_id,im_id,obj_id,name,decision,probability,plausibility,reliability,"
                                   "gt_id,mspd_px,mssd_d,visib,"));
   const auto columns = std::count(header.begin(), header.end(), ',');
-  size_t lines = 0;
+  EXPECT_THAT(header, HasSubstr(",candidate,fate,suppressed_by,conflicts,kind,rank_score,r11,"));
+  size_t chosen = 0;
   bool near = false;
-  for (; std::getline(dump, line); ++lines) {
+  for (size_t lines = 0; std::getline(dump, line); ++lines) {
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
+    EXPECT_THAT(line, HasSubstr("," + std::to_string(lines) + ","));
+    chosen += line.find(",suppressed,") == std::string::npos;
     double mspd = 0;
     if (std::sscanf(line.c_str(), "1,0,1,bridge,%*[a-z],%*f,%*f,%*f,0,%lf", &mspd) == 1) near |= mspd < 3;
   }
-  EXPECT_EQ(lines, all);
+  EXPECT_EQ(chosen, all);
   EXPECT_TRUE(near) << readText(path("d.csv"));
 }
 
