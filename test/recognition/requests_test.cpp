@@ -1,5 +1,6 @@
 // What is asked of one recognition, what it refuses, and that the same question has the same answer.
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <thread>
@@ -243,13 +244,20 @@ std::vector<int> chosenAgain(const std::vector<JudgedCandidate>& judged) {
 
 class JudgedOn : public testing::TestWithParam<const char*> {
  protected:
-  const Picture picture_ = shippedPicture(GetParam());
-  const RecognitionResult result_ =
-      shippedRecognizer().recognize(picture_.grey, picture_.camera, judgedToo());
+  // Recognised once for all tests.
+  static const RecognitionResult& judgedResult(const std::string& path) {
+    static std::map<std::string, RecognitionResult> results;
+    const auto known = results.find(path);
+    if (known != results.end()) return known->second;
+    const Picture picture = shippedPicture(path);
+    return results[path] = shippedRecognizer().recognize(picture.grey, picture.camera, judgedToo());
+  }
+  const RecognitionResult& result_ = judgedResult(GetParam());
 };
 
 TEST_P(JudgedOn, asking_for_the_candidates_changes_no_answer) {
-  const RecognitionResult plain = shippedRecognizer().recognize(picture_.grey, picture_.camera);
+  const Picture picture = shippedPicture(GetParam());
+  const RecognitionResult plain = shippedRecognizer().recognize(picture.grey, picture.camera);
   expectSame(plain, result_);
   EXPECT_TRUE(plain.judged.empty());
   EXPECT_GT(result_.judged.size(), result_.objects.size() + result_.rejected.size());
