@@ -114,20 +114,19 @@ std::map<InstanceKey, std::vector<int>> posesByInstance(const std::vector<Judged
   return table;
 }
 
-// Tells most of why an instance was lost: of the right poses the most probable, else the nearest one.
+// Of the right poses the most probable one tells most of why an instance was lost, else the nearest one.
 bool tellsMore(const JudgedPose& a, const JudgedPose& b) {
   if (a.right() != b.right()) return a.right();
   if (a.right()) return a.probability > b.probability;
   return a.errors.mspd < b.errors.mspd;
 }
 
-void explain(const std::vector<JudgedPose>& judged, const std::vector<int>& poses, MissedObject* missed) {
+// The pose that tells most of why an instance was lost; -1: none.
+int tellingPose(const std::vector<JudgedPose>& judged, const std::vector<int>& poses) {
+  int best = -1;
   for (const int k : poses)
-    if (missed->nearest < 0 || tellsMore(judged[size_t(k)], judged[size_t(missed->nearest)]))
-      missed->nearest = k;
-  if (missed->nearest < 0) return;
-  const JudgedPose& pose = judged[size_t(missed->nearest)];
-  missed->lost = {stageOf(pose), pose.errors.mspd, whatSpoke(pose.against)};
+    if (best < 0 || tellsMore(judged[size_t(k)], judged[size_t(best)])) best = k;
+  return best;
 }
 
 double overUnion(const Hull& a, const Hull& b) {
@@ -146,26 +145,30 @@ bool coverIt(const BopImage& image, const BopModel& model, const TruthOutcome& t
 }
 
 // What a wrong row lies on: the truth that holds most of it.
-void place(const BopImage& image, const BopModels& models, WrongAccept* wrong) {
-  const RowOutcome& row = wrong->row;
+WrongAccept placed(const BopImage& image, const BopModels& models, const RowOutcome& row) {
+  WrongAccept wrong;
+  wrong.row = row;
   const Hull hull = projectedHull(models.at(row.object), row.camera_from_object, image.intrinsics);
+  const double own = area(hull);
   double best = 0;
   for (size_t k = 0; k < image.truth.size(); ++k) {
     const GroundTruth& truth = image.truth[k];
     const Hull other = projectedHull(models.at(truth.object), truth.camera_from_object, image.intrinsics);
-    const double common = commonArea(hull, other), own = area(hull);
+    const double common = commonArea(hull, other);
     // Of two that hold it whole, it sits on the one that it resembles in place and size.
     if (own <= 0 || common < kSitsOn * own || overUnion(hull, other) <= best) continue;
     best = overUnion(hull, other);
-    wrong->on = int(k);
-    wrong->overlap = common / own;
-    wrong->cause = WrongCause::kOtherObject;
+    wrong.on = int(k);
+    wrong.overlap = common / own;
+    wrong.cause = WrongCause::kOtherObject;
     if (truth.object == row.object)
-      wrong->cause = best >= kSamePlace ? WrongCause::kTwin : WrongCause::kMisplaced;
+      wrong.cause = best >= kSamePlace ? WrongCause::kTwin : WrongCause::kMisplaced;
   }
-  if (row.errors.mspd >= kNearMissError) return;
-  wrong->cause = WrongCause::kNearMiss;
-  wrong->on = row.nearest;
+  if (row.errors.mspd < kNearMissError) {
+    wrong.cause = WrongCause::kNearMiss;
+    wrong.on = row.nearest;
+  }
+  return wrong;
 }
 
 int judgedAs(const RowOutcome& row, const std::vector<JudgedPose>& judged) {
@@ -234,11 +237,15 @@ std::vector<MissedObject> missedObjects(const BopSplit& split, const BopModels& 
   std::vector<MissedObject> all;
   for (const TruthOutcome& truth : run.truths) {
     if (!truth.wanted() || truth.found()) continue;
+    const std::vector<int>& its = poses[{truth.scene, truth.image, truth.index}];
     MissedObject missed;
     missed.truth = truth;
     missed.limit = limitOf(truth, limits, in_frame);
-    const std::vector<int>& its = poses[{truth.scene, truth.image, truth.index}];
-    explain(judged, its, &missed);
+    missed.nearest = tellingPose(judged, its);
+    if (missed.nearest >= 0) {
+      const JudgedPose& pose = judged[size_t(missed.nearest)];
+      missed.lost = {stageOf(pose), pose.errors.mspd, whatSpoke(pose.against)};
+    }
     if (missed.lost.stage == LostAt::kNotJudged)
       missed.turned =
           coverIt(*split.find(truth.scene, truth.image), models.at(truth.object), truth, judged, its);
@@ -261,10 +268,8 @@ std::vector<WrongAccept> wrongAccepts(const BopSplit& split, const BopModels& mo
     if (!models.count(row.object))
       throw BadInput("the results name object " + std::to_string(row.object) +
                      ", which models_info.json does not list");
-    WrongAccept wrong;
-    wrong.row = row;
+    WrongAccept wrong = placed(*split.find(row.scene, row.image), models, row);
     wrong.judged = judgedAs(row, judged);
-    place(*split.find(row.scene, row.image), models, &wrong);
     all.push_back(wrong);
   }
   std::stable_sort(all.begin(), all.end(),

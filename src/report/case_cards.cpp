@@ -3,7 +3,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "case_picture.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/contour.h"
 
@@ -36,11 +35,19 @@ std::string fateText(const JudgedPose& pose) {
   return (pose.fate == JudgedPose::kRejected ? "was rejected" : "was suppressed") + p;
 }
 
-void addTerms(const JudgedPose& pose, HtmlPage::Card* card) {
-  for (const auto& [term, value] : pose.evidence) card->terms.emplace_back(term, shortNumber(value));
+std::vector<std::pair<std::string, std::string>> termsOf(const JudgedPose& pose) {
+  std::vector<std::pair<std::string, std::string>> terms;
+  for (const auto& [term, value] : pose.evidence) terms.emplace_back(term, shortNumber(value));
+  return terms;
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> caseColours() {
+  return {{"#3cdcff", "true contour"},
+          {"#ff9628", "nearest candidate of a missed object"},
+          {"#fa5a5a", "wrong pose"}};
+}
 
 std::string percentText(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
 
@@ -60,12 +67,6 @@ std::string writePage(const std::string& folder, const HtmlPage& page) {
 
 CaseCards::CaseCards(const std::filesystem::path& folder, const EvaluatedRun& run)
     : folder_(folder), run_(run) {}
-
-void CaseCards::legend(HtmlPage* page) {
-  page->legend({{"#3cdcff", "true contour"},
-                {"#ff9628", "nearest candidate of a missed object"},
-                {"#fa5a5a", "wrong pose"}});
-}
 
 const ObjectModel& CaseCards::model(int object) const {
   const auto at = run_.models.find(object);
@@ -106,14 +107,15 @@ double CaseCards::inFrame(const TruthOutcome& truth) const {
   }
 }
 
-void CaseCards::addPicture(const std::string& file, const BopImage& image,
-                           const std::vector<Outline>& outlines, HtmlPage::Card* card) const {
+HtmlPage::Card CaseCards::pictured(HtmlPage::Card card, const std::string& file, const BopImage& image,
+                                   const std::vector<Outline>& outlines) const {
   try {
     writePicture((folder_ / file).string(), casePicture(run_.load(image), outlines));
-    card->picture = file;
+    card.picture = file;
   } catch (const BadInput& e) {
-    card->text += " No picture: " + std::string(e.what());
+    card.text += " No picture: " + std::string(e.what());
   }
+  return card;
 }
 
 std::string CaseCards::missedText(const MissedObject& missed) const {
@@ -132,7 +134,7 @@ std::string CaseCards::missedText(const MissedObject& missed) const {
   return text + (why ? ": " + missed.lost.by + "." : ".");
 }
 
-void CaseCards::missed(const MissedObject& missed, HtmlPage* page) {
+HtmlPage::Card CaseCards::missed(const MissedObject& missed) {
   const TruthOutcome& truth = missed.truth;
   std::vector<Outline> outlines{{&model(truth.object), truth.camera_from_object, kTruthColour}};
   HtmlPage::Card card;
@@ -143,11 +145,10 @@ void CaseCards::missed(const MissedObject& missed, HtmlPage* page) {
   if (missed.nearest >= 0) {
     const JudgedPose& pose = run_.judged[size_t(missed.nearest)];
     outlines.push_back({&model(truth.object), pose.camera_from_object, kCandidateColour});
-    if (pose.right()) addTerms(pose, &card);
+    if (pose.right()) card.terms = termsOf(pose);
   }
-  addPicture("missed_" + std::to_string(missed_count_++) + ".jpg", imageOf(truth.scene, truth.image),
-             outlines, &card);
-  page->card(card);
+  const std::string file = "missed_" + std::to_string(missed_count_++) + ".jpg";
+  return pictured(card, file, imageOf(truth.scene, truth.image), outlines);
 }
 
 std::string CaseCards::wrongText(const WrongAccept& wrong) const {
@@ -167,7 +168,7 @@ std::string CaseCards::wrongText(const WrongAccept& wrong) const {
   return text + "The image shows no " + partName(row.object) + ".";
 }
 
-void CaseCards::wrong(const WrongAccept& wrong, HtmlPage* page) {
+HtmlPage::Card CaseCards::wrong(const WrongAccept& wrong) {
   const RowOutcome& row = wrong.row;
   const BopImage& image = imageOf(row.scene, row.image);
   std::vector<Outline> outlines{{&model(row.object), row.camera_from_object, kWrongColour}};
@@ -181,9 +182,8 @@ void CaseCards::wrong(const WrongAccept& wrong, HtmlPage* page) {
     const GroundTruth& truth = image.truth[size_t(shown)];
     outlines.push_back({&model(truth.object), truth.camera_from_object, kTruthColour});
   }
-  if (wrong.judged >= 0) addTerms(run_.judged[size_t(wrong.judged)], &card);
-  addPicture("wrong_" + std::to_string(wrong_count_++) + ".jpg", image, outlines, &card);
-  page->card(card);
+  if (wrong.judged >= 0) card.terms = termsOf(run_.judged[size_t(wrong.judged)]);
+  return pictured(card, "wrong_" + std::to_string(wrong_count_++) + ".jpg", image, outlines);
 }
 
 }  // namespace monocular_eye_hand

@@ -225,10 +225,10 @@ class EvaluationPageWriter {
         missedObjects(run_.split, run_.models, run_.outcomes, run_.judged, run_.limits, in_frame);
     page_.heading("Missed", "missed");
     intro(missed.size(), "wanted instances were missed", "the most visible and largest first");
-    CaseCards::legend(&page_);
+    page_.legend(caseColours());
     page_.beginGrid(true);
     for (size_t k = 0; k < std::min(missed.size(), size_t(options_.cases)); ++k)
-      cards_.missed(missed[k], &page_);
+      page_.card(cards_.missed(missed[k]));
     page_.endGrid();
   }
 
@@ -238,7 +238,7 @@ class EvaluationPageWriter {
     intro(wrong.size(), "reported poses are wrong", "the surest first");
     page_.beginGrid(true);
     for (size_t k = 0; k < std::min(wrong.size(), size_t(options_.cases)); ++k)
-      cards_.wrong(wrong[k], &page_);
+      page_.card(cards_.wrong(wrong[k]));
     page_.endGrid();
   }
 

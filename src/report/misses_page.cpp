@@ -28,14 +28,14 @@ std::string writeMissesPage(const std::string& folder, const EvaluatedRun& run) 
   causeTable(causeCounts(wrong), wrong.size(), &page);
 
   page.heading("Missed", "missed");
-  CaseCards::legend(&page);
+  page.legend(caseColours());
   page.beginGrid(true);
-  for (const MissedObject& one : missed) cards.missed(one, &page);
+  for (const MissedObject& one : missed) page.card(cards.missed(one));
   page.endGrid();
 
   page.heading("Wrong", "wrong");
   page.beginGrid(true);
-  for (const WrongAccept& one : wrong) cards.wrong(one, &page);
+  for (const WrongAccept& one : wrong) page.card(cards.wrong(one));
   page.endGrid();
   return writePage(folder, page);
 }

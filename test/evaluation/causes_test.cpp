@@ -147,7 +147,7 @@ TEST_F(Causes, a_wrong_pose_that_is_a_twin) {
 }
 
 TEST_F(Causes, a_wrong_pose_that_is_too_small) {
-  EXPECT_EQ(wrongBlock(at(0, 0, 1300)).cause, WrongCause::kMisplaced);
+  EXPECT_EQ(wrongBlock(at(0, 0, 1500)).cause, WrongCause::kMisplaced);
 }
 
 TEST_F(Causes, a_wrong_pose_on_another_object) {
