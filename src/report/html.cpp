@@ -24,9 +24,14 @@ main { max-width: 1320px; margin: 0 auto; padding: 8px 5vw 60px; }
 h2 { margin: 38px 0 10px; font-size: 19px; }
 p { max-width: 75em; }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(400px, 1fr)); gap: 18px; }
+.broad { grid-template-columns: repeat(auto-fill, minmax(min(560px, 100%), 1fr)); }
 figure, .card { margin: 0; background: #fff; border: 1px solid var(--line); border-radius: 8px; overflow: hidden; }
 figure.wide { max-width: 1280px; margin-bottom: 18px; }
 img { display: block; width: 100%; height: auto; }
+svg { display: block; width: 100%; height: auto; font-variant-numeric: tabular-nums; }
+.chart svg { max-height: 400px; }
+.swatch { display: inline-block; width: 22px; height: 5px; margin: 0 7px 3px 14px; background: #000;
+          border: 1px solid #1d2430; }
 figcaption { padding: 8px 12px; color: var(--soft); font-size: 14px; }
 .card .body { padding: 10px 14px 14px; }
 .card h3 { margin: 0 0 4px; font-size: 16px; }
@@ -37,6 +42,7 @@ th, td { padding: 5px 14px; text-align: left; border-bottom: 1px solid var(--lin
 td:not(:last-child) { white-space: nowrap; }
 th { font-weight: 600; color: var(--soft); font-size: 13px; }
 .terms { margin: 8px 0 0; display: grid; grid-template-columns: auto 1fr; gap: 1px 14px; font-size: 13px; }
+.broad .terms { grid-template-columns: auto 1fr auto 1fr; }
 .terms dt { color: var(--soft); } .terms dd { margin: 0; font-variant-numeric: tabular-nums; }
 )";
 
@@ -107,7 +113,23 @@ void HtmlPage::figure(const std::string& file, const std::string& caption, bool 
            "</figcaption></figure>\n";
 }
 
-void HtmlPage::beginGrid() { body_ += "<div class=\"grid\">\n"; }
+void HtmlPage::chart(const std::string& svg, const std::string& caption) {
+  body_ += "<figure class=\"chart\">" + svg;
+  if (!caption.empty()) body_ += "<figcaption>" + escapeHtml(caption) + "</figcaption>";
+  body_ += "</figure>\n";
+}
+
+void HtmlPage::legend(const std::vector<std::pair<std::string, std::string>>& entries) {
+  body_ += "<p>";
+  for (const auto& [colour, text] : entries)
+    body_ += "<span class=\"swatch\" style=\"background:" + escapeHtml(colour) + "\"></span>" +
+             escapeHtml(text) + " ";
+  body_ += "</p>\n";
+}
+
+void HtmlPage::beginGrid(bool broad) {
+  body_ += broad ? "<div class=\"grid broad\">\n" : "<div class=\"grid\">\n";
+}
 void HtmlPage::endGrid() { body_ += "</div>\n"; }
 
 void HtmlPage::table(const Row& head, const std::vector<Row>& rows) {

@@ -16,7 +16,12 @@ class HtmlPage {
   void paragraph(const std::string& text);
   /// A picture beside the page with a caption; `wide`: over the whole width.
   void figure(const std::string& file, const std::string& caption, bool wide);
-  void beginGrid();
+  /// A chart of charts.h, which is SVG and not escaped again, with a caption ("" = none).
+  void chart(const std::string& svg, const std::string& caption);
+  /// What colours mean: CSS colour and text.
+  void legend(const std::vector<std::pair<std::string, std::string>>& entries);
+  /// `broad`: for pictures that are two side by side.
+  void beginGrid(bool broad = false);
   void endGrid();
   using Row = std::vector<std::string>;
   void table(const Row& head, const std::vector<Row>& rows);

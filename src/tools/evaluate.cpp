@@ -4,15 +4,18 @@
 #include <filesystem>
 #include <iostream>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <set>
 
 #include "candidate_dump.h"
+#include "judged_poses.h"
 #include "monocular_eye_hand/evaluation/dataset.h"
 #include "monocular_eye_hand/evaluation/lens.h"
 #include "monocular_eye_hand/evaluation/results.h"
 #include "monocular_eye_hand/evaluation/scores.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/report/evaluation_pages.h"
 #include "support.h"
 
 namespace monocular_eye_hand {
@@ -21,12 +24,14 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string dataset, split, models, targets, options, out, dump;
+  std::string dataset, split, models, targets, options, out, dump, report, misses, compare;
   std::vector<std::string> settings;
   std::vector<int> scenes, images;
   std::vector<double> warp;
   double scale = 1;
   bool all = false;
+  EvaluationPageOptions page;
+  bool pages() const { return !report.empty() || !misses.empty(); }
 };
 
 // The models of the data set as a model base: objects in the order of their ids.
@@ -70,6 +75,8 @@ class ImageSource {
 
 struct Run {
   std::vector<BopResult> results;
+  std::vector<BopResult> reported;  // without the rejected ones that --all adds
+  std::vector<JudgedPose> judged;   // for the pages
   ImageTimes times;
 };
 
@@ -87,7 +94,7 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
   ImageSource source(args);
   Progress progress(split.images.size());
   RecognitionRequest request;
-  request.judged = dump != nullptr;
+  request.judged = dump || args.pages();
   Run run;
   for (const BopImage& image : split.images) {
     const CameraImage input = source.load(image);
@@ -96,8 +103,11 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     run.times[{image.scene, image.id}] = seconds;
     addRows(result.objects, ids, image, seconds, &run.results);
+    addRows(result.objects, ids, image, seconds, &run.reported);
     if (args.all) addRows(result.rejected, ids, image, seconds, &run.results);
     if (dump) dump->add(image, result.judged, ids);
+    for (JudgedPose& pose : judgedPoses(result, ids, image, int(run.judged.size())))
+      run.judged.push_back(std::move(pose));
     char text[100];
     std::snprintf(text, sizeof text, "scene %d image %d: %zu objects in %.3f s", image.scene, image.id,
                   result.objects.size(), seconds);
@@ -149,8 +159,59 @@ void printScores(const BopSplit& split, const BopModels& models, const Run& run,
       s.mapStrict(), s.map_mssd_strict, s.map_mspd_strict);
 }
 
-int evaluate(const Arguments& args) {
+std::vector<std::string> notesOf(const Arguments& args, const BopSplit& split) {
+  std::string text = std::to_string(split.images.size()) + " images of " + args.dataset + ", split " +
+                     args.split + ". Recognition with the default options";
+  if (!args.options.empty()) text += ", then those of " + args.options;
+  for (const std::string& setting : args.settings) text += ", " + setting;
+  text += ".";
+  if (args.scale != 1) text += " Images resized by " + std::to_string(args.scale) + ".";
+  if (!args.warp.empty()) text += " Images seen through a lens (--warp).";
+  return {text};
+}
+
+void writePages(const Arguments& args, const BopSplit& split, const BopModels& models,
+                const Recognizer& recognizer, const Run& run) {
+  ImageSource source(args);
+  EvaluatedRun evaluated{
+      "Evaluation of " + fs::path(args.dataset).lexically_normal().filename().string() + " " + args.split,
+      notesOf(args, split),
+      split,
+      models,
+      recognizer.models(),
+      judgeRun(split, models, run.reported),
+      run.times,
+      measured(run.judged, split, models),
+      recognizer.options().accept_probability,
+      searchLimits(recognizer.options(), split.width, args.scale),
+      [&](const BopImage& image) { return source.load(image); }};
+
+  if (!args.report.empty()) {
+    std::optional<OtherRun> other;
+    if (!args.compare.empty()) {
+      const std::vector<BopResult> results = readBopResults(args.compare);
+      ImageTimes times;
+      if (fs::exists(imageTimesPath(args.compare))) times = readImageTimes(imageTimesPath(args.compare));
+      other = OtherRun{args.compare, judgeRun(split, models, results), timesOfImages(split, results, times)};
+    }
+    std::cout << "report: " << writeEvaluationPage(args.report, evaluated, other, args.page) << "\n";
+  }
+  if (!args.misses.empty()) std::cout << "misses: " << writeMissesPage(args.misses, evaluated) << "\n";
+}
+
+void check(const Arguments& args) {
   if (!(args.scale > 0)) throw BadInput("--scale " + std::to_string(args.scale) + " must be positive");
+  if (!args.compare.empty() && args.report.empty())
+    throw BadInput("--compare is shown in the report: give --report DIR too");
+  const auto folder = [](const std::string& path) { return (fs::path(path) / "").lexically_normal(); };
+  if (!args.report.empty() && folder(args.report) == folder(args.misses))
+    throw BadInput("--report and --misses need folders of their own");
+  if (!args.compare.empty()) readBopResults(args.compare);  // its faults are told before the work
+  args.page.check();
+}
+
+int evaluate(const Arguments& args) {
+  check(args);
   const RecognitionOptions options = recognitionOptions(args.options, args.settings);
   const BopModels models = loadBopModels(args.models.empty() ? args.dataset + "/models" : args.models);
   BopSplit split = loadBopSplit(args.dataset, args.split, args.scenes, args.images);
@@ -166,6 +227,7 @@ int evaluate(const Arguments& args) {
   run.results = readBopResults(args.out);  // the scores are those of the file
   run.times = readImageTimes(imageTimesPath(args.out));
   printScores(split, models, run, targets);
+  if (args.pages()) writePages(args, split, models, recognizer, run);
   return 0;
 }
 
@@ -201,6 +263,15 @@ int main(int argc, char** argv) {
   app.add_option("--out", args.out, "results file R.csv; R.times.csv is written beside it")->required();
   app.add_option("--dump", args.dump,
                  "CSV of every judged candidate, suppressed ones too: evidence, error, why it lost");
+  app.add_option("--report", args.report,
+                 "folder for a page with scores by scene and part, recall, reliability and the worst cases");
+  app.add_option("--compare", args.compare, "results of another run, for the report")
+      ->check(CLI::ExistingFile);
+  app.add_option("--cases", args.page.cases,
+                 "most missed and most wrong objects pictured in the report, each")
+      ->capture_default_str();
+  app.add_option("--misses", args.misses,
+                 "folder for a page that explains every missed and every wrong object");
   int exit_code = 0;
   if (!parseArguments(&app, argc, argv, &exit_code)) return exit_code;
   return runTool("evaluate", [&] { return evaluate(args); });

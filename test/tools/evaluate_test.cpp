@@ -113,6 +113,20 @@ TEST_F(Evaluate, through_a_lens_and_enlarged_the_poses_stay) {
   EXPECT_THAT(result.out, HasSubstr("found 1.000 (1/1)"));
 }
 
+TEST_F(Evaluate, report_comparison_and_misses_are_pages) {
+  write("other.csv", "scene_id,im_id,obj_id,score,R,t,time\n");
+  const ProgramResult result =
+      evaluate("--scenes 1,4 --images 0 --report pages --compare other.csv --misses why --cases 3");
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("report: pages/index.html"), HasSubstr("misses: why/index.html")));
+  const std::string report = readText(path("pages/index.html")), misses = readText(path("why/index.html"));
+  EXPECT_THAT(report, HasSubstr("Evaluation of set dev"));
+  EXPECT_THAT(report, HasSubstr("<td>scene 1</td><td>1</td><td>100 % (1/1)</td>"));
+  EXPECT_THAT(report, HasSubstr("<td>scene 4</td><td>1</td>")) << "without a part there is nothing to find";
+  EXPECT_THAT(report, HasSubstr("<td>this run</td>")) << "the other run has found nothing";
+  EXPECT_THAT(misses, HasSubstr("0 wanted instances"));
+}
+
 TEST_F(Evaluate, bad_input_is_told_before_the_work) {
   const auto refusal = [&](const std::string& arguments) {
     const ProgramResult result = run(EVALUATE_PROGRAM, arguments);
@@ -125,6 +139,14 @@ TEST_F(Evaluate, bad_input_is_told_before_the_work) {
               HasSubstr("r.csv: cannot be written"));
   EXPECT_THAT(refusal("--dataset set --split dev --out r.csv --scenes 9"), HasSubstr("no scene 9"));
   EXPECT_THAT(refusal("--dataset set --split dev --out r.csv --scale 0"), HasSubstr("--scale"));
+  EXPECT_THAT(refusal("--dataset set --split dev --out r.csv --report p --cases -1"),
+              HasSubstr("cases = -1"));
+  EXPECT_THAT(refusal("--dataset set --split dev --out r.csv --report p --misses p/."),
+              HasSubstr("--misses"));
+  write("no.csv", "1,2\n");
+  EXPECT_THAT(refusal("--dataset set --split dev --out r.csv --compare no.csv"), HasSubstr("--report"));
+  EXPECT_THAT(refusal("--dataset set --split dev --out r.csv --report p --compare no.csv"),
+              HasSubstr("no.csv:1:"));
   EXPECT_THAT(refusal("--dataset set --split dev --out r.csv --set min_distence=1"),
               HasSubstr("'min_distance'?"));
   EXPECT_THAT(refusal("--dataset set --split dev --out r.csv --models set"), HasSubstr("models_info.json"));

@@ -22,6 +22,10 @@ struct SceneSummary {
   double rightShare() const { return rows > 0 ? double(right) / rows : 0; }
 };
 
+/// Seconds of the split's images that have a time: of `times`, else of their rows.
+ImageTimes timesOfImages(const BopSplit& split, const std::vector<BopResult>& results,
+                         const ImageTimes& times);
+
 /// The summaries of the split's scenes, ascending. Continuous symmetries are taken in steps of 0.05; rows
 /// farther than two diameters from an instance do not match it. Throws BadInput on a result of an object that
 /// is not known.

@@ -1,0 +1,71 @@
+#include "judged_poses.h"
+
+#include <cstdio>
+
+namespace monocular_eye_hand {
+namespace {
+
+JudgedPose::Fate fateOf(const JudgedCandidate& candidate) {
+  if (candidate.fate == Fate::kSuppressed) return JudgedPose::kSuppressed;
+  return candidate.fate == Fate::kRejected ? JudgedPose::kRejected : JudgedPose::kReported;
+}
+
+// A rejected candidate stands among the rejected objects, too, with the reason in words.
+std::string rejection(const RecognitionResult& result, const JudgedCandidate& candidate) {
+  const Rigid3& pose = candidate.camera_from_object;
+  for (const ObjectEstimate& object : result.rejected)
+    if (object.object == candidate.object && object.camera_from_object.translation == pose.translation &&
+        object.camera_from_object.rotation == pose.rotation)
+      return object.reason;
+  return "";
+}
+
+std::string suppression(const JudgedCandidate& candidate, const JudgedCandidate& by) {
+  char text[120];
+  std::snprintf(text, sizeof text, " at p %.2f, rank %.3g over %.3g", by.probability, by.rank_score,
+                candidate.rank_score);
+  const bool same = by.object == candidate.object;
+  return (same ? "another pose of it" : "a " + by.name) + text +
+         (by.fate == Fate::kRejected ? ", which was then rejected" : "");
+}
+
+std::string whatSpokeAgainst(const RecognitionResult& result, const JudgedCandidate& candidate) {
+  if (candidate.fate == Fate::kRejected) return rejection(result, candidate);
+  const bool known = candidate.suppressed_by >= 0 && candidate.suppressed_by < int(result.judged.size());
+  return known ? suppression(candidate, result.judged[size_t(candidate.suppressed_by)]) : "";
+}
+
+}  // namespace
+
+std::vector<JudgedPose> judgedPoses(const RecognitionResult& result, const std::vector<int>& bop_objects,
+                                    const BopImage& image, int first) {
+  std::vector<JudgedPose> poses;
+  for (const JudgedCandidate& candidate : result.judged) {
+    JudgedPose pose;
+    pose.scene = image.scene;
+    pose.image = image.id;
+    pose.object = bop_objects.at(size_t(candidate.object));
+    pose.camera_from_object = candidate.camera_from_object;
+    pose.probability = candidate.probability;
+    pose.fate = fateOf(candidate);
+    if (candidate.suppressed_by >= 0) pose.suppressed_by = first + candidate.suppressed_by;
+    pose.against = whatSpokeAgainst(result, candidate);
+    pose.evidence = candidate.evidence;
+    poses.push_back(std::move(pose));
+  }
+  return poses;
+}
+
+SearchLimits searchLimits(const RecognitionOptions& options, int width, double scale) {
+  SearchLimits limits;
+  limits.min_distance = options.min_distance;
+  limits.max_distance = options.max_distance;
+  limits.min_size = options.min_size;
+  limits.min_in_frame = options.min_in_frame;
+  limits.searched_scale = scale;
+  for (double searched = width * scale; searched > options.search_width; searched /= 2)
+    limits.searched_scale /= 2;
+  return limits;
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,187 @@
+#include "monocular_eye_hand/evaluation/causes.h"
+
+#include <gmock/gmock.h>
+
+#include "made_up_run.h"
+#include "monocular_eye_hand/geometry/error.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+using testing::HasSubstr;
+
+class Causes : public testing::Test {
+ protected:
+  std::vector<MissedObject> missed(const SearchLimits& limits = {}, const InFrame& in_frame = {}) const {
+    return missedObjects(run_.split, run_.models, run_.outcomes(), run_.poses(), limits, in_frame);
+  }
+  std::vector<WrongAccept> wrong() const {
+    return wrongAccepts(run_.split, run_.models, run_.outcomes(), run_.poses());
+  }
+  // The one wrong accept of a block's pose in an image with a block at 1 m and a lid beside it.
+  WrongAccept wrongBlock(const Rigid3& pose) {
+    BopImage& image = run_.image(1, 0);
+    MadeUpRun::truth(&image, 1, at(0, 0, 1000));
+    MadeUpRun::truth(&image, 2, at(150, 0, 1000));
+    run_.row(1, 0, 1, 0.8, pose);
+    const auto all = wrong();
+    EXPECT_EQ(all.size(), 1u);
+    return all.empty() ? WrongAccept{} : all[0];
+  }
+  MadeUpRun run_;
+};
+
+TEST_F(Causes, a_right_candidate_that_was_rejected_says_by_what) {
+  MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
+  run_.judge(1, 0, 1, 0.2, at(1, 0, 1000), JudgedPose::kRejected, "a nearer one that is less probable");
+  run_.judge(1, 0, 1, 0.4, at(2, 0, 1000), JudgedPose::kRejected,
+             "probability 0.4 below 0.5: image edges run on past 33 % of its corners; only 60 % is seen");
+  const auto all = missed();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].lost.stage, LostAt::kRejected);
+  EXPECT_EQ(all[0].nearest, 1) << "the most probable of the right ones";
+  EXPECT_NEAR(all[0].lost.nearest_px, 2 / 0.95, 1e-6);
+  EXPECT_THAT(all[0].lost.by, HasSubstr("33 %"));
+  EXPECT_EQ(all[0].cause, "rejected: image edges run on past \u2026 % of its corners");
+}
+
+TEST_F(Causes, suppressed_near_and_far_candidates) {
+  MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
+  MadeUpRun::truth(&run_.image(1, 1), 1, at(0, 0, 1000));
+  MadeUpRun::truth(&run_.image(1, 2), 1, at(0, 0, 1000));
+  MadeUpRun::truth(&run_.image(1, 3), 1, at(0, 0, 1000));
+  run_.judge(1, 0, 1, 0.9, at(1, 0, 1000), JudgedPose::kSuppressed, "lid 0.95");
+  run_.judge(1, 1, 1, 0.9, at(15, 0, 1000), JudgedPose::kReported);
+  run_.judge(1, 2, 1, 0.1, at(60, 0, 1000), JudgedPose::kRejected, "weak");
+  run_.row(1, 1, 1, 0.9, at(15, 0, 1000));
+  const auto all = missed();
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].lost.stage, LostAt::kSuppressed);
+  EXPECT_EQ(all[0].lost.by, "lid 0.95");
+  EXPECT_EQ(all[1].lost.stage, LostAt::kNotJudged);
+  EXPECT_NEAR(all[1].lost.nearest_px, 15 / 0.95, 1e-6);
+  EXPECT_EQ(all[1].cause, "no candidate within 10 px, one within 20 px");
+  EXPECT_EQ(all[2].cause, "no candidate within 10 px, none in its place");
+  EXPECT_EQ(all[3].nearest, -1);
+  EXPECT_TRUE(std::isinf(all[3].lost.nearest_px));
+
+  const auto counts = causeCounts(all);
+  ASSERT_EQ(counts.size(), 3u);
+  EXPECT_EQ(counts[0].count, 2) << "the most frequent first";
+  EXPECT_EQ(counts[0].cause, all[2].cause);
+}
+
+TEST_F(Causes, a_missed_object_that_only_twins_were_judged_of) {
+  MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
+  Rigid3 turned = at(0, 0, 1000);
+  turned.rotation = expSO3({0, 0, M_PI / 2});
+  run_.judge(1, 0, 1, 0.3, turned, JudgedPose::kRejected);
+  run_.judge(1, 0, 1, 0.3, at(40, 0, 1000), JudgedPose::kRejected);
+  EXPECT_TRUE(missed().at(0).turned);
+  EXPECT_EQ(missed().at(0).nearest, 1);
+  EXPECT_EQ(missed().at(0).cause, "no candidate within 10 px, one in its place in a wrong orientation");
+}
+
+TEST_F(Causes, what_suppressed_a_right_candidate_is_told_apart) {
+  BopImage& image = run_.image(1, 0);
+  MadeUpRun::truth(&image, 1, at(0, 0, 1000));
+  MadeUpRun::truth(&image, 2, at(150, 0, 1000), 0.3);
+  run_.judge(1, 0, 1, 0.9, at(1, 0, 1000), JudgedPose::kSuppressed);
+  run_.judge(1, 0, 1, 0.9, at(40, 0, 1000), JudgedPose::kReported);
+  run_.judge(1, 0, 2, 0.3, at(150, 0, 1000), JudgedPose::kRejected);
+  run_.judged[0].suppressed_by = 1;
+  EXPECT_EQ(missed().at(0).cause, "suppressed by a wrong pose of its object");
+  run_.judged[0].suppressed_by = 2;
+  EXPECT_EQ(missed().at(0).cause, "suppressed by a right pose of another object that was itself rejected");
+  run_.judged[0].suppressed_by = -1;
+  EXPECT_EQ(missed().at(0).cause, "suppressed");
+}
+
+TEST_F(Causes, found_and_hardly_visible_objects_are_not_missed) {
+  BopImage& image = run_.image(1, 0);
+  MadeUpRun::truth(&image, 1, at(0, 0, 1000));
+  MadeUpRun::truth(&image, 2, at(0, 0, 1000), 0.4);
+  run_.row(1, 0, 1, 0.9, at(0, 0, 1000));
+  EXPECT_TRUE(missed().empty());
+}
+
+TEST_F(Causes, limits_name_themselves) {
+  SearchLimits limits;
+  limits.min_distance = 0.25;
+  limits.max_distance = 2.5;
+  limits.min_size = 32;
+  limits.min_in_frame = 0.4;
+  for (const double z : {200.0, 1000.0, 3000.0}) MadeUpRun::truth(&run_.image(1, int(z)), 1, at(0, 0, z));
+  const auto limitAt = [&](int image, const InFrame& in_frame = {}) {
+    for (const MissedObject& one : missed(limits, in_frame))
+      if (one.truth.image == image) return one.limit;
+    return std::string("not missed");
+  };
+  EXPECT_EQ(limitAt(200), "nearer than min_distance: 0.2 m of 0.25 m");
+  EXPECT_EQ(limitAt(3000), "farther than max_distance: 3 m of 2.5 m");
+  EXPECT_EQ(limitAt(1000), "");
+  EXPECT_EQ(limitAt(1000, [](const TruthOutcome&) { return 0.3; }),
+            "less in the frame than min_in_frame: 0.3 of its contour of 0.4");
+  limits.searched_scale = 0.125;  // 173 px are 21.7 px there
+  EXPECT_EQ(limitAt(1000), "smaller than min_size: 21.7 px in the searched image of 32 px");
+
+  limits.searched_scale = 1;
+  const auto all = missed(limits);
+  EXPECT_EQ(all[0].truth.image, 1000) << "what could have been found stands first";
+  EXPECT_EQ(all[1].cause, "limit of the search: nearer than min_distance");
+}
+
+TEST_F(Causes, a_wrong_pose_near_its_object) {
+  const WrongAccept wrong = wrongBlock(at(15, 0, 1000));
+  EXPECT_EQ(wrong.cause, WrongCause::kNearMiss);
+  EXPECT_EQ(wrong.on, 0);
+}
+
+TEST_F(Causes, a_wrong_pose_that_is_a_twin) {
+  Rigid3 turned = at(0, 0, 1000);
+  turned.rotation = expSO3({0, 0, M_PI / 2});
+  const WrongAccept wrong = wrongBlock(turned);
+  EXPECT_EQ(wrong.cause, WrongCause::kTwin);
+  EXPECT_EQ(wrong.on, 0);
+  EXPECT_NEAR(wrong.overlap, 1, 1e-3);
+}
+
+TEST_F(Causes, a_wrong_pose_that_is_too_small) {
+  EXPECT_EQ(wrongBlock(at(0, 0, 1500)).cause, WrongCause::kMisplaced);
+}
+
+TEST_F(Causes, a_wrong_pose_on_another_object) {
+  const WrongAccept wrong = wrongBlock(at(145, 0, 1000));
+  EXPECT_EQ(wrong.cause, WrongCause::kOtherObject);
+  EXPECT_EQ(wrong.on, 1);
+  EXPECT_GT(wrong.overlap, 0.9);
+}
+
+TEST_F(Causes, a_wrong_pose_on_clutter) {
+  const WrongAccept wrong = wrongBlock(at(-180, 100, 1000));
+  EXPECT_EQ(wrong.cause, WrongCause::kClutter);
+  EXPECT_EQ(wrong.on, -1);
+}
+
+TEST_F(Causes, the_surest_wrong_pose_stands_first_and_finds_its_evidence) {
+  run_.image(1, 0);
+  run_.row(1, 0, 1, 0.6, at(0, 0, 1000));
+  run_.row(1, 0, 2, 0.8, at(0, 0, 1500));
+  run_.judge(1, 0, 1, 0.1, at(0, 0, 1000), JudgedPose::kRejected);
+  run_.judge(1, 0, 1, 0.6, at(0, 0, 1000), JudgedPose::kReported);
+  const auto all = wrong();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].row.score, 0.8);
+  EXPECT_EQ(all[0].judged, -1);
+  EXPECT_EQ(all[1].judged, 1);
+  const auto counts = causeCounts(all);
+  ASSERT_EQ(counts.size(), 1u);
+  EXPECT_EQ(counts[0].cause, "on clutter");
+  EXPECT_EQ(counts[0].count, 2);
+
+  run_.row(1, 0, 9, 0.7, at(0, 0, 1000));
+  EXPECT_THROW(wrong(), BadInput);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
