@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/simulation/random_picture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -25,6 +27,10 @@ RenderOptions drawSensor(Generator* random, const RandomPictureOptions& options)
   render.edge_samples = std::max(options.samples, options.edge_samples);
   render.seed = random->bits();
   render.mean = random->uniform(0.3, 0.5);
+  if (options.scene.level != SceneLevel::kEasy) {  // blur and noise hide the difference
+    render.samples = std::max(1, options.samples - 1);
+    render.edge_samples = std::max(render.samples, render.edge_samples - 1);
+  }
   switch (options.scene.level) {
     case SceneLevel::kEasy:
       render.blur_sigma = 0.35;
@@ -40,6 +46,16 @@ RenderOptions drawSensor(Generator* random, const RandomPictureOptions& options)
       break;
   }
   return render;
+}
+
+/// What cameras do besides: gamma, dark corners, over-exposure, sharpening.
+void drawProcessing(Generator* random, RenderOptions* render) {
+  const double grey = random->uniform(0.25, 0.6);  // wanted mean of the coded image
+  render->gamma = random->integer(0, 2) == 0 ? 1.0 : random->uniform(1.0, 2.2);
+  render->mean = std::pow(grey, render->gamma);
+  if (random->integer(0, 1) == 1) render->vignetting = random->uniform(0, 0.45);
+  render->saturated = 0.005 * std::pow(30, random->uniform(0, 1));
+  if (random->integer(0, 3) == 0) render->sharpening = random->uniform(0.2, 1.0);
 }
 
 }  // namespace
@@ -82,6 +98,7 @@ RandomPicture randomPicture(const std::vector<NamedMesh>& models, uint32_t seed,
   RandomPicture picture;
   picture.camera = drawCamera(&random, options);
   picture.render = drawSensor(&random, options);
+  if (options.scene.appearance == Appearance::kMixed) drawProcessing(&random, &picture.render);
   RandomSceneOptions scene = options.scene;
   scene.size.focal_length = picture.camera.fx;
   scene.size.width = picture.camera.width;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "appearance.h"
+#include "clutter.h"
 #include "footprint.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "random.h"
@@ -32,37 +34,6 @@ LevelRule ruleOf(SceneLevel level) {
       break;
   }
   return {4, 7, 4, 8, 0.17, 0.002, 0.5, 25, 65};
-}
-
-SceneObject randomPiece(Generator* random, double scale) {
-  SceneObject piece;
-  piece.name = "clutter";
-  const double s = scale * random->uniform(0.015, 0.045);
-  switch (random->integer(0, 4)) {
-    case 0:
-      piece.mesh = std::make_shared<Mesh>(
-          boxMesh({2 * s, 2 * s * random->uniform(0.4, 1.5), 2 * s * random->uniform(0.4, 1.5)}));
-      break;
-    case 1:
-      piece.mesh = std::make_shared<Mesh>(cylinderMesh(s, s * random->uniform(0.5, 4)));
-      break;
-    case 2:
-      piece.mesh =
-          std::make_shared<Mesh>(coneMesh(s, s * random->uniform(0.2, 0.8), s * random->uniform(1, 3)));
-      break;
-    case 3:
-      piece.mesh = std::make_shared<Mesh>(sphereMesh(s));
-      break;
-    default: {
-      // A printed sheet: thin enough to count as flat, thick enough to be above the table.
-      piece.mesh = std::make_shared<Mesh>(boxMesh({3 * s, 4 * s, 0.0005}));
-      break;
-    }
-  }
-  piece.material = randomMaterial(random);
-  if (random->integer(0, 2) > 0) piece.material.texture = randomTexture(random, 0.6);
-  piece.material.texture.scale *= scale;
-  return piece;
 }
 
 /// Finds a free place on the table; false when there is none.
@@ -176,6 +147,27 @@ void scaleSurroundings(double scale, double distance, Scene* scene) {
   scene->table.material.texture.scale *= scale;
 }
 
+/// What a pixel covers in the middle of the table [m].
+double pixelSize(const RandomSceneOptions& options, const Layout& layout, const Scene& scene) {
+  constexpr double kUsualFocal = 700;  // [px]
+  const double distance = layout.distance > 0 ? layout.distance : scene.world_from_camera.translation.norm();
+  return distance / (options.size.focal_length > 0 ? options.size.focal_length : kUsualFocal);
+}
+
+/// Large things behind the parts, as they stand about on a table.
+void addBystanders(Generator* random, const Layout& layout, Scene* scene) {
+  const int count = random->integer(0, 3);
+  for (int k = 0; k < count; ++k) {
+    ClutterPiece piece = simplePiece(random, layout.scale * random->uniform(2, 4));
+    Eigen::Vector2d away = -scene->world_from_camera.translation.head<2>().normalized();
+    away = Eigen::Rotation2Dd(random->uniform(-0.9, 0.9)) * away;
+    const double reach = layout.spread + layout.scale * random->uniform(0.25, 0.6);
+    const Rigid3 place{expSO3({0, 0, random->uniform(0, 2 * M_PI)}), {reach * away.x(), reach * away.y(), 0}};
+    piece.object.world_from_object = place * piece.table_from_object;
+    scene->objects.push_back(piece.object);
+  }
+}
+
 /// Let down onto the others at a random place, lying flat or leaning a little.
 void pile(Generator* random, double spread, SceneObject* object, const std::vector<SceneObject>& others) {
   const bool leaning = random->integer(0, 1) == 1;
@@ -251,9 +243,13 @@ Scene randomScene(const std::vector<NamedMesh>& models, uint32_t seed, const Ran
     object.model = -1;
     if (placer.place(&object, drawPose(stablePoses(*object.mesh), &random))) scene.objects.push_back(object);
   }
+  const bool mixed = options.appearance == Appearance::kMixed;
+  Generator looks(mixBits(seed, 0x100c5u));  // of its own: the arrangement stays that of the plain scene
   for (int k = 0; k < clutter; ++k) {
-    SceneObject piece = randomPiece(&random, layout.scale);
-    if (placer.place(&piece, Rigid3{})) scene.objects.push_back(piece);
+    const bool workshop = mixed && looks.integer(0, 3) > 0;
+    const ClutterPiece simple = simplePiece(&random, layout.scale);
+    ClutterPiece piece = workshop ? workshopPiece(&looks, layout.scale) : simple;
+    if (placer.place(&piece.object, piece.table_from_object)) scene.objects.push_back(piece.object);
   }
   for (SceneObject& object : to_pile) {
     pile(&random, layout.spread, &object, scene.objects);
@@ -261,7 +257,12 @@ Scene randomScene(const std::vector<NamedMesh>& models, uint32_t seed, const Ran
   }
   addLights(&random, &scene);
   aimCamera(&random, options, rule, layout, &scene);
+  if (mixed) {
+    addBystanders(&looks, layout, &scene);
+    dressLights(&looks, &scene);
+  }
   scaleSurroundings(layout.scale, layout.distance, &scene);
+  if (mixed) dressObjects(&looks, {layout.scale, pixelSize(options, layout, scene)}, &scene);
   return scene;
 }
 

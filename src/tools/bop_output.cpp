@@ -103,6 +103,7 @@ void renderBopScene(const BopRequest& request) {
 
   RandomPictureOptions options;
   options.scene.foreign = readDistractors(request.distractors);
+  options.scene.appearance = request.mixed_appearance ? Appearance::kMixed : Appearance::kPlain;
   options.width = size.width;
   options.height = size.height;
   options.samples = request.samples;

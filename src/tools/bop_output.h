@@ -15,6 +15,7 @@ struct BopRequest {
   std::string level;              ///< easy, medium, hard or mixed
   std::string sizes = "640x480";  ///< WIDTHxHEIGHT:WEIGHT,...; one is drawn for the whole scene folder
   double piled = 0;               ///< RandomSceneOptions::piled in hard scenes
+  bool mixed_appearance = false;  ///< Appearance::kMixed
   int samples = 2;                ///< RenderOptions::samples
   int edge_samples = 4;           ///< RenderOptions::edge_samples
 };

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Arguments {
-  std::string objects, out, set = "demo", level = "easy", camera;
+  std::string objects, out, set = "demo", level = "easy", camera, appearance = "plain";
   unsigned seed = 1;
   int count = 1, samples = 0;
   meh::BopRequest bop;
@@ -56,8 +56,10 @@ std::vector<meh::DemoScene> chooseScenes(const Arguments& arguments) {
   for (int k = 0; k < arguments.count; ++k) {
     char name[32];
     std::snprintf(name, sizeof(name), "%06d", k);
-    scenes.push_back(
-        {name, meh::randomScene(meshes, arguments.seed + unsigned(k), levelOf(arguments.level))});
+    meh::RandomSceneOptions options;
+    options.level = levelOf(arguments.level);
+    if (arguments.appearance == "mixed") options.appearance = meh::Appearance::kMixed;
+    scenes.push_back({name, meh::randomScene(meshes, arguments.seed + unsigned(k), options)});
   }
   return scenes;
 }
@@ -93,6 +95,7 @@ void renderBop(const Arguments& arguments) {
   request.count = arguments.count;
   request.seed = arguments.seed;
   request.level = arguments.level;
+  request.mixed_appearance = arguments.appearance == "mixed";
   if (arguments.samples > 0) request.samples = arguments.samples;
   request.edge_samples = std::max(request.samples, request.edge_samples);
   meh::renderBopScene(request);
@@ -106,6 +109,11 @@ void addPictureOptions(CLI::App* app, Arguments* arguments) {
       ->capture_default_str();
   app->add_option("--level", arguments->level, "of random scenes; mixed: one after the other, with --bop")
       ->check(CLI::IsMember({"easy", "medium", "hard", "mixed"}))
+      ->capture_default_str();
+  app->add_option("--appearance", arguments->appearance,
+                  "of random scenes; mixed: half of the parts with prints, wear, rounded edges, gloss or "
+                  "translucent, clutter of a workshop, varied light")
+      ->check(CLI::IsMember({"plain", "mixed"}))
       ->capture_default_str();
   app->add_option("--count", arguments->count, "random scenes")
       ->check(CLI::Range(1, 1000000))

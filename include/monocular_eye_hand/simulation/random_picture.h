@@ -22,8 +22,8 @@ struct RandomPictureOptions {
   int width = 640, height = 480;
   double min_focal = 0.9, max_focal = 1.6;  ///< focal length as a share of the width
   double principal_jitter = 6;              ///< principal point from the middle, of 640 px of width [px]
-  int samples = 2;                          ///< RenderOptions::samples
-  int edge_samples = 4;                     ///< RenderOptions::edge_samples
+  int samples = 2;                          ///< RenderOptions::samples; one less but in easy scenes
+  int edge_samples = 4;                     ///< RenderOptions::edge_samples; one less but in easy scenes
 
   void check() const;  ///< throws BadInput naming field, value and rule
 };

@@ -26,6 +26,11 @@ enum class SceneLevel {
   kHard     ///< 4-7 parts close together, 4-8 pieces of clutter, strong textures, low views
 };
 
+enum class Appearance {
+  kPlain,  ///< albedo, highlight and procedural textures
+  kMixed  ///< half of the parts plain; prints, wear, rounded edges, gloss, translucency, a workshop's clutter
+};
+
 /// Places the camera so that the parts appear in a drawn size, and scales what surrounds them (spread,
 /// clutter, lights, table) to their size. The parts of one scene are of similar size then.
 struct PartSize {
@@ -43,6 +48,7 @@ struct RandomSceneOptions {
   PartSize size;                   ///< with a focal length it replaces min_distance and max_distance
   std::vector<NamedMesh> foreign;  ///< parts that are not to be found: they stand in the scene as clutter
   int max_foreign = 3;             ///< at most so many of them
+  Appearance appearance = Appearance::kPlain;
   double piled = 0;  ///< chance of a part to lie on or lean against others instead of standing free
 
   void check() const;  ///< throws BadInput naming field, value and rule
