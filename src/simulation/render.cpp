@@ -12,9 +12,12 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr float kSpread = 0.06f;  // relative difference of samples that asks for more of them
+constexpr float kSpread = 0.06f;        // relative difference of samples that asks for more of them
+constexpr float kTextureSpread = 0.2f;  // the same with texture, where a pixel has one sample only
 
-bool differ(float a, float b) { return std::abs(a - b) > kSpread * (0.5f * (a + b) + 0.02f); }
+bool differ(float a, float b, float spread = kSpread) {
+  return std::abs(a - b) > spread * (0.5f * (a + b) + 0.02f);
+}
 
 }  // namespace
 
@@ -33,6 +36,9 @@ void RenderOptions::check() const {
   require(shot_noise >= 0 && shot_noise < 10, "shot_noise", shot_noise, "must be 0..10");
   require(exposure >= 0 && std::isfinite(exposure), "exposure", exposure, "must be >= 0 (0: automatic)");
   require(mean > 0 && mean < 1, "mean", mean, "must lie between 0 and 1");
+  require(saturated >= 0 && saturated < 1, "saturated", saturated, "must be 0..1");
+  require(vignetting >= 0 && vignetting < 1, "vignetting", vignetting, "must be 0..1");
+  require(sharpening >= 0 && sharpening <= 5, "sharpening", sharpening, "must be 0..5");
   require(gamma > 0.1 && gamma < 10, "gamma", gamma, "must be 0.1..10");
 }
 
@@ -103,9 +109,11 @@ Pixel samplePixel(const Shader& shader, const CameraRays& rays, int x, int y, in
 // Pixels that need more samples: mixed ones, those that differ from a neighbour, and their neighbours. Taking
 // the neighbours in keeps the mean unbiased: a thin sliver that all first samples missed is still sampled
 // finely.
-cv::Mat1b roughPixels(const std::vector<Pixel>& pixels, int width, int height) {
+cv::Mat1b roughPixels(const std::vector<Pixel>& pixels, int width, int height, bool single) {
   cv::Mat1b rough(height, width, uchar(0));
-  const auto unlike = [](const Pixel& a, const Pixel& b) { return a.id != b.id || differ(a.plain, b.plain); };
+  const auto unlike = [&](const Pixel& a, const Pixel& b) {
+    return a.id != b.id || differ(a.plain, b.plain) || (single && differ(a.mean, b.mean, kTextureSpread));
+  };
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const Pixel& here = pixels[size_t(y) * width + x];
@@ -128,7 +136,8 @@ cv::Mat1f radianceImage(const Shader& shader, const CameraRays& rays, const Came
       pixels[size_t(y) * w + x] = samplePixel(shader, rays, x, y, options.samples, options.seed);
   cv::Mat1f image(h, w);
   const bool refine = options.edge_samples > options.samples;
-  const cv::Mat1b rough = refine ? roughPixels(pixels, w, h) : cv::Mat1b(h, w, uchar(0));
+  const cv::Mat1b rough =
+      refine ? roughPixels(pixels, w, h, options.samples == 1) : cv::Mat1b(h, w, uchar(0));
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x)
       image(y, x) = rough(y, x) ? samplePixel(shader, rays, x, y, options.edge_samples, options.seed).mean

@@ -9,10 +9,10 @@
 
 namespace monocular_eye_hand {
 
-double automaticExposure(const cv::Mat1f& light, double mean) {
+double automaticExposure(const cv::Mat1f& light, double mean, double saturated) {
   constexpr double kBright = 0.9;
   std::vector<float> values(light.begin(), light.end());
-  const auto bright = values.begin() + std::ptrdiff_t(0.995 * double(values.size() - 1));
+  const auto bright = values.begin() + std::ptrdiff_t((1 - saturated) * double(values.size() - 1));
   std::nth_element(values.begin(), bright, values.end());
   const double average = cv::mean(light)[0];
   if (!(average > 0)) return 1;
@@ -28,9 +28,29 @@ cv::Mat1f blurred(const cv::Mat1f& radiance, double sigma) {
   return out;
 }
 
+namespace {
+
+void darkenCorners(double vignetting, cv::Mat1f* light) {
+  const double x0 = 0.5 * (light->cols - 1), y0 = 0.5 * (light->rows - 1);
+  const double corner = x0 * x0 + y0 * y0;
+  for (int y = 0; y < light->rows; ++y)
+    for (int x = 0; x < light->cols; ++x) {
+      const double share = ((x - x0) * (x - x0) + (y - y0) * (y - y0)) / std::max(corner, 1.0);
+      (*light)(y, x) *= float(1 - vignetting * share);
+    }
+}
+
+}  // namespace
+
 cv::Mat sensorImage(const cv::Mat1f& radiance, const RenderOptions& options, double* exposure) {
-  const cv::Mat1f light = blurred(radiance, options.blur_sigma);
-  *exposure = options.exposure > 0 ? options.exposure : automaticExposure(light, options.mean);
+  cv::Mat1f light = blurred(radiance, options.blur_sigma);
+  if (options.vignetting > 0) {
+    light = light.clone();
+    darkenCorners(options.vignetting, &light);
+  }
+  *exposure =
+      options.exposure > 0 ? options.exposure : automaticExposure(light, options.mean, options.saturated);
+  if (options.sharpening > 0) light = light + options.sharpening * (light - blurred(light, 1));
   cv::Mat grey(light.rows, light.cols, CV_8UC1);
   Generator random(options.seed ^ 0xa5a5u);
   for (int y = 0; y < grey.rows; ++y)

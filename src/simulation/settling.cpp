@@ -85,7 +85,23 @@ Rigid3 tipped(const Mesh& mesh, const Rigid3& world_from_object, Eigen::Vector3d
   return {rotation, *centre - rotation * pivot};
 }
 
+double lowestPoint(const SceneObject& object) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const auto& t : object.mesh->triangles)
+    for (int v : t)
+      lowest = std::min(lowest, (object.world_from_object * object.mesh->vertices[size_t(v)]).z());
+  return lowest;
+}
+
 }  // namespace
+
+double dropHeight(const SceneObject& object, const std::vector<const SceneObject*>& others) {
+  const HeightMap underside = heightMap(object, false);
+  double drop = lowestPoint(object);
+  for (const SceneObject* other : others)
+    drop = std::min(drop, clearance(underside, heightMap(*other, true)));
+  return drop;
+}
 
 Rest settle(const SceneObject& object, const std::vector<const SceneObject*>& others, const Table& table,
             double floor_z) {
@@ -93,10 +109,7 @@ Rest settle(const SceneObject& object, const std::vector<const SceneObject*>& ot
   Eigen::Vector3d centre;
   resting.world_from_object = tipped(*object.mesh, object.world_from_object, &centre);
   const HeightMap underside = heightMap(resting, false);
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const auto& t : object.mesh->triangles)
-    for (int v : t)
-      lowest = std::min(lowest, (resting.world_from_object * object.mesh->vertices[size_t(v)]).z());
+  const double lowest = lowestPoint(resting);
   const bool over_table = table.present && std::abs(centre.x()) <= table.half_width &&
                           std::abs(centre.y()) <= table.half_depth && centre.z() > 0;
   Rest rest;

@@ -19,4 +19,8 @@ struct Rest {
 Rest settle(const SceneObject& object, const std::vector<const SceneObject*>& others, const Table& table,
             double floor_z);
 
+/// How far the object can sink as it is, without tipping, until it meets the table's plane or one of
+/// `others` [m].
+double dropHeight(const SceneObject& object, const std::vector<const SceneObject*>& others);
+
 }  // namespace monocular_eye_hand

@@ -1,10 +1,12 @@
 // Renders scenes with known truth: the pictures that ship with the package, or random ones.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "bop_output.h"
 #include "demo_scenes.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"
@@ -17,10 +19,13 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Arguments {
-  std::string objects, out, set = "demo", level = "easy", camera;
+  std::string objects, out, set = "demo", level = "easy", camera, appearance = "plain";
   unsigned seed = 1;
-  int count = 1, samples = 6;
+  int count = 1, samples = 0;
+  meh::BopRequest bop;
 };
+
+constexpr int kPictureSamples = 6;
 
 meh::Camera defaultCamera() { return {640, 480, 700, 700, 319.5, 239.5, meh::DistortionModel::kNone, {}}; }
 
@@ -32,6 +37,7 @@ meh::Camera wideAngleCamera() {
 
 meh::SceneLevel levelOf(const std::string& name) {
   if (name == "easy") return meh::SceneLevel::kEasy;
+  if (name == "mixed") throw meh::BadInput("--level mixed goes with --bop");
   return name == "medium" ? meh::SceneLevel::kMedium : meh::SceneLevel::kHard;
 }
 
@@ -50,8 +56,10 @@ std::vector<meh::DemoScene> chooseScenes(const Arguments& arguments) {
   for (int k = 0; k < arguments.count; ++k) {
     char name[32];
     std::snprintf(name, sizeof(name), "%06d", k);
-    scenes.push_back(
-        {name, meh::randomScene(meshes, arguments.seed + unsigned(k), levelOf(arguments.level))});
+    meh::RandomSceneOptions options;
+    options.level = levelOf(arguments.level);
+    if (arguments.appearance == "mixed") options.appearance = meh::Appearance::kMixed;
+    scenes.push_back({name, meh::randomScene(meshes, arguments.seed + unsigned(k), options)});
   }
   return scenes;
 }
@@ -63,8 +71,8 @@ void renderAll(const Arguments& arguments) {
   const std::string folder = arguments.out + "/";
   meh::writeCamera(folder + "camera.yaml", camera);
   meh::RenderOptions options;
-  options.samples = options.edge_samples = arguments.samples;
-  options.ambient_occlusion = arguments.samples >= 5;
+  options.samples = options.edge_samples = arguments.samples > 0 ? arguments.samples : kPictureSamples;
+  options.ambient_occlusion = options.samples >= 5;
   options.seed = arguments.seed;
   for (const meh::DemoScene& demo : scenes) {
     const meh::Camera& used = demo.distorted ? wideAngleCamera() : camera;
@@ -79,32 +87,80 @@ void renderAll(const Arguments& arguments) {
   }
 }
 
+void renderBop(const Arguments& arguments) {
+  if (arguments.set != "random") throw meh::BadInput("--bop: only random scenes (--set random) are written");
+  if (!arguments.camera.empty()) throw meh::BadInput("--bop draws its cameras: leave --camera out");
+  meh::BopRequest request = arguments.bop;
+  request.objects = arguments.objects;
+  request.count = arguments.count;
+  request.seed = arguments.seed;
+  request.level = arguments.level;
+  request.mixed_appearance = arguments.appearance == "mixed";
+  if (arguments.samples > 0) request.samples = arguments.samples;
+  request.edge_samples = std::max(request.samples, request.edge_samples);
+  meh::renderBopScene(request);
+}
+
+void addPictureOptions(CLI::App* app, Arguments* arguments) {
+  app->add_option("--objects", arguments->objects, "model base (YAML)")->required();
+  app->add_option("--out", arguments->out, "folder for NAME.png, NAME.truth.json and camera.yaml");
+  app->add_option("--set", arguments->set, "demo, golden (the pictures of the package) or random")
+      ->check(CLI::IsMember({"demo", "golden", "random"}))
+      ->capture_default_str();
+  app->add_option("--level", arguments->level, "of random scenes; mixed: one after the other, with --bop")
+      ->check(CLI::IsMember({"easy", "medium", "hard", "mixed"}))
+      ->capture_default_str();
+  app->add_option("--appearance", arguments->appearance,
+                  "of random scenes; mixed: half of the parts with prints, wear, rounded edges, gloss or "
+                  "translucent, clutter of a workshop, varied light")
+      ->check(CLI::IsMember({"plain", "mixed"}))
+      ->capture_default_str();
+  app->add_option("--count", arguments->count, "random scenes")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app->add_option("--seed", arguments->seed, "of the first random scene and of the noise")
+      ->capture_default_str();
+  app->add_option("--camera", arguments->camera, "calibration YAML (default: 640x480, f = 700 px)");
+  app->add_option(
+         "--samples", arguments->samples,
+         "per pixel along each axis; from 5 on with soft ambient shadows (default: 6; with --bop: 2, "
+         "and 4 at edges)")
+      ->check(CLI::Range(1, 16));
+}
+
+void addBopOptions(CLI::App* app, meh::BopRequest* bop) {
+  app->add_option("--bop", bop->dataset,
+                  "folder of a data set in the BOP format, instead of --out: --count images of random scenes "
+                  "with drawn cameras in one scene folder");
+  app->add_option("--split", bop->split, "of the data set")->capture_default_str();
+  app->add_option("--scene", bop->scene,
+                  "number of the scene folder; another number or split, other pictures")
+      ->check(CLI::Range(0, 999999))
+      ->capture_default_str();
+  app->add_option("--distractors", bop->distractors,
+                  "model base of further parts: up to three stand in each scene and are not in the truth");
+  app->add_option("--sizes", bop->sizes, "of images, WIDTHxHEIGHT:WEIGHT,...; one is drawn per scene folder")
+      ->capture_default_str();
+  app->add_option("--piled", bop->piled, "share of the parts of hard scenes that lie on or lean on others")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App app{"Renders grey images of scenes with known objects, their camera and their truth."};
-  app.add_option("--objects", arguments.objects, "model base (YAML)")->required();
-  app.add_option("--out", arguments.out, "folder for NAME.png, NAME.truth.json and camera.yaml")->required();
-  app.add_option("--set", arguments.set, "demo, golden (the pictures of the package) or random")
-      ->check(CLI::IsMember({"demo", "golden", "random"}))
-      ->capture_default_str();
-  app.add_option("--level", arguments.level, "of random scenes")
-      ->check(CLI::IsMember({"easy", "medium", "hard"}))
-      ->capture_default_str();
-  app.add_option("--count", arguments.count, "random scenes")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  app.add_option("--seed", arguments.seed, "of the first random scene and of the noise")
-      ->capture_default_str();
-  app.add_option("--camera", arguments.camera, "calibration YAML (default: 640x480, f = 700 px)");
-  app.add_option("--samples", arguments.samples,
-                 "per pixel along each axis; from 5 on with soft ambient shadows")
-      ->check(CLI::Range(1, 16))
-      ->capture_default_str();
+  addPictureOptions(&app, &arguments);
+  addBopOptions(&app, &arguments.bop);
   CLI11_PARSE(app, argc, argv);
   try {
-    renderAll(arguments);
+    if (arguments.out.empty() == arguments.bop.dataset.empty())
+      throw meh::BadInput("give either --out FOLDER or --bop DATASET");
+    if (arguments.bop.dataset.empty())
+      renderAll(arguments);
+    else
+      renderBop(arguments);
     return 0;
   } catch (const std::exception& e) {
     std::cerr << "render_scene: " << e.what() << "\n";

@@ -19,10 +19,13 @@ struct RenderOptions {
   double blur_sigma = 0.35;       ///< Gaussian of the lens, before the sensor [px]
   double noise_sigma = 1.5;       ///< sensor noise at black [grey levels]
   double shot_noise = 0.01;       ///< its variance grows by this per grey level
-  double exposure = 0;  ///< grey = 255 (exposure * radiance)^(1 / gamma); 0: chosen so that the mean is
-                        ///< `mean` and hardly anything saturates
-  double mean = 0.42;   ///< of the linear image when the exposure is chosen, 0..1
+  double exposure = 0;       ///< grey = 255 (exposure * radiance)^(1 / gamma); 0: chosen so that the mean is
+                             ///< `mean` and hardly anything saturates
+  double mean = 0.42;        ///< of the linear image when the exposure is chosen, 0..1
+  double saturated = 0.005;  ///< share of the pixels that a chosen exposure may let saturate, or nearly so
   double gamma = 1.0;
+  double vignetting = 0;  ///< light that the image's corners lack, as a share
+  double sharpening = 0;  ///< as cameras do it: strength of an unsharp mask of 1 px, before the noise
   uint32_t seed = 1;
 
   void check() const;  ///< throws BadInput naming field, value and rule

@@ -10,6 +10,7 @@
 #include "monocular_eye_hand/geometry/rigid3.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/model/object_model.h"
+#include "monocular_eye_hand/simulation/finish.h"
 
 namespace monocular_eye_hand {
 
@@ -32,6 +33,7 @@ struct Material {
   double specular = 0.1;  ///< strength of the highlight, 0..1
   double shininess = 40;  ///< Blinn exponent
   Texture texture;
+  std::shared_ptr<const Finish> finish{};  ///< prints, gloss, rounded edges...; null: none of them
 };
 
 /// Something that stands in the scene: a known part or clutter.
@@ -56,12 +58,27 @@ struct Table {
   Material material{0.45, 0.05, 20, {}};
 };
 
+/// What a mirroring surface sees where it reflects no object: brighter towards the sky, with lamps, windows
+/// and dark corners.
+struct Environment {
+  struct Panel {
+    Eigen::Vector3d direction = {0, 0, 1};       ///< its middle, world
+    double half_width = 0.2, half_height = 0.2;  ///< at distance 1
+    double softness = 0.05;                      ///< of its border, at distance 1
+    double radiance = 1;
+  };
+  double low = 0.1, high = 0.4;  ///< radiance straight down and straight up
+  std::vector<Panel> panels;     ///< later ones stand before earlier ones
+};
+
 struct Scene {
   std::vector<SceneObject> objects;
   Table table;
   std::vector<Light> lights;
   double ambient = 0.35;     ///< irradiance from everywhere
+  double sky = 0;            ///< share of it that comes from above: 1: none from below
   double background = 0.15;  ///< radiance where a ray meets nothing
+  Environment environment{};
   Rigid3 world_from_camera;
 
   Rigid3 cameraFromObject(int object) const {
