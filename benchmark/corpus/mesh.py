@@ -9,6 +9,7 @@ from part import Failure
 DIAMETER_MM = (25.0, 200.0)
 TRIANGLES = (12, 15000)
 WELD_MM = 1e-5
+THINNEST_MM = 1e-5
 
 
 def tessellated(solid, deflection_mm, angle_deg):
@@ -41,6 +42,14 @@ def volume(vertices, triangles):
     return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
 
 
+def thinnest(vertices, triangles):
+    """The least height of a triangle over its longest side."""
+    corners = vertices[triangles]
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(1)
+    doubled_areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    return float((doubled_areas / np.maximum(sides, 1e-12)).min())
+
+
 def check(vertices, triangles):
     """Throws Failure unless the mesh is closed, consistently oriented outwards, and of a wanted size."""
     if not TRIANGLES[0] <= len(triangles) <= TRIANGLES[1]:
@@ -50,7 +59,7 @@ def check(vertices, triangles):
         raise Failure(f"diameter {diameter(vertices):.0f} mm")
 
     edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]).astype(np.int64)
-    if (edges[:, 0] == edges[:, 1]).any():
+    if thinnest(vertices, triangles) < THINNEST_MM:
         raise Failure("a triangle without area")
 
     forth = np.sort(edges[:, 0] * len(vertices) + edges[:, 1])
