@@ -112,11 +112,35 @@ class Bench:
 
     @functools.lru_cache(maxsize=None)  # rows that read the same run share it
     def evaluate(self, dataset, split, *options):
-        """{scene: Scene} of the recogniser with default options over a split; leaves CSV and log in `out`."""
-        name = re.sub(r"[^\w.]+", "_", "_".join([dataset, split, *options]))
+        """{scene: Scene} of the recogniser with default options over a split; leaves CSVs and log in `out`."""
+        return self._evaluate(self.data(dataset), split, self._name(dataset, split, *options), options)
+
+    @functools.lru_cache(maxsize=None)
+    def evaluate_folder(self, folder, split):
+        """The same of a data set that lies anywhere."""
+        return self._evaluate(folder, split, self._name(folder.name, split), ())
+
+    def results(self, dataset, split, *options):
+        """The results CSV of such a run."""
+        self.evaluate(dataset, split, *options)
+        return self.out / f"{self._name(dataset, split, *options)}.csv"
+
+    @functools.lru_cache(maxsize=None)
+    def dump(self, dataset, split, *options):
+        """The CSV of all candidates that such a run judged: a run of its own, because dumping takes time."""
+        name = self._name(dataset, split, *options, "dumped")
+        path = self.out / f"{name}.candidates.csv"
+        self._evaluate(self.data(dataset), split, name, (*options, "--dump", path))
+        return path
+
+    @staticmethod
+    def _name(*parts):
+        return re.sub(r"[^\w.]+", "_", "_".join(parts))
+
+    def _evaluate(self, folder, split, name, options):
         csv = self.out / f"{name}.csv"
-        command = [self.program("evaluate"), "--dataset", self.data(dataset), "--split", split, *options, "--out", csv]
-        print("  evaluate", dataset, split, *options, file=sys.stderr, flush=True)
+        command = [self.program("evaluate"), "--dataset", folder, "--split", split, *options, "--out", csv]
+        print("  evaluate", folder.name, split, *options, file=sys.stderr, flush=True)
         with open(csv.with_suffix(".log"), "w", encoding="utf-8") as log:
             code = subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, check=False).returncode
         text = csv.with_suffix(".log").read_text(encoding="utf-8")

@@ -217,3 +217,16 @@ def carriage(p):
 
     if p.chance(0.6):
         engraved(p, label(p.text(3), 0.16 * width, 1), (0, 0, height))
+
+
+def cuboid(p):
+    """A plain block, as milled, cast or packed: sometimes with one hole, one step or one slot."""
+    length, width, height = p.mm(40, 110, 1), p.mm(30, 80, 1), p.mm(20, 70, 1)
+    p.add(block(length, width, height))
+    kind = p.choice(("plain", "plain", "plain", "hole", "step", "slot"))
+    if kind == "hole":
+        through_holes(p, [(0.2 * length, 0.1 * width)], p.mm(3, 8, 0.5), height, 0)
+    if kind == "step":
+        p.cut(block(0.4 * length, 2 * width, height, 0.5 * length, 0, 0.6 * height))
+    if kind == "slot":
+        p.cut(block(2 * length, 0.25 * width, height, 0, 0.1 * width, 0.7 * height))

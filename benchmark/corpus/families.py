@@ -30,7 +30,7 @@ FAMILIES = {
                    pipework.valve_body, pipework.manifold, machined.pillow_block, machined.clevis, machined.lever,
                    machined.crank, machined.handle, machined.casting, housings.open_box, housings.ribbed_housing,
                    housings.brick, housings.cable_clip, housings.battery_holder, electrical.connector,
-                   electrical.terminal_block, electrical.plug, electrical.socket)
+                   electrical.terminal_block, electrical.plug, electrical.socket, bars.cuboid)
 }
 
 

@@ -28,7 +28,7 @@ from families import FAMILIES, split_of
 from part import Failure, Part
 
 ATTEMPTS = 30
-FACING_FACES = (3, 85)
+FACING_FACES = (2, 85)
 SIMPLIFIED_EVERY = 4  # one part of so many is also written without a detail, if it has any
 CHIRAL = 0.05  # a part whose mirror image stays farther away, over the diameter, is chiral
 SMALLEST_CHANGE = 1e-4  # of the volume, that a detail makes

@@ -28,6 +28,11 @@ PoseErrors ErrorMeter::measure(const BopImage& image, const GroundTruth& truth,
           mspd(estimate, truth.camera_from_object, image.intrinsics, model.vertices, symmetries)};
 }
 
+double ErrorMeter::closestDistance(const GroundTruth& truth, const Rigid3& estimate) const {
+  const BopModel& model = this->model(truth.object);
+  return adi(estimate, truth.camera_from_object, model.vertices) / model.diameter;
+}
+
 ResultsByImage byImage(const std::vector<BopResult>& results) {
   ResultsByImage table;
   for (const BopResult& row : results) table[{row.scene, row.image}].push_back(row);

@@ -65,6 +65,23 @@ double mspd(const Rigid3& estimate, const Rigid3& truth, const Eigen::Matrix3d& 
       [&intrinsics](const Eigen::Vector3d& p) { return project(intrinsics, p); });
 }
 
+double adi(const Rigid3& estimate, const Rigid3& truth, const std::vector<Eigen::Vector3d>& vertices,
+           size_t most) {
+  const Rigid3 truth_from_estimate = truth.inverse() * estimate;
+  const size_t stride = 1 + vertices.size() / std::max<size_t>(most, 1);
+  double sum = 0;
+  size_t count = 0;
+  for (size_t i = 0; i < vertices.size(); i += stride) {
+    const Eigen::Vector3d moved = truth_from_estimate * vertices[i];
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& vertex : vertices)
+      nearest = std::min(nearest, (vertex - moved).squaredNorm());
+    sum += std::sqrt(nearest);
+    ++count;
+  }
+  return count ? sum / double(count) : 0;
+}
+
 const std::vector<double>& mssdThresholds() {
   static const std::vector<double> thresholds = [] {
     std::vector<double> values;

@@ -101,6 +101,13 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
     out.direction = direction / length;
     out.group = s.group;
     out.silhouette = s.silhouette;
+    if (s.inner_side != 0) {
+      const Eigen::Vector3d across = s.tangent.cross(s.p - object_from_camera.translation);
+      const Eigen::Vector3d m = pose.rotation * (double(s.inner_side) * across);
+      const Eigen::Vector2d towards(camera.fx * (m.x() - p.x() / p.z() * m.z()),
+                                    camera.fy * (m.y() - p.y() / p.z() * m.z()));
+      out.inward = towards.dot(Eigen::Vector2d(-out.direction.y(), out.direction.x())) > 0 ? 1 : -1;
+    }
     out.inside = domain.contains(out.uv.x(), out.uv.y());
     seen.push_back(out);
   }

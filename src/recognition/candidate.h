@@ -1,12 +1,13 @@
 #pragma once
 #include <Eigen/Core>
-#include <map>
 #include <opencv2/core.hpp>
-#include <string>
 #include <vector>
 
+#include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/grouping/grouping.h"
+#include "monocular_eye_hand/model/object_model.h"
 #include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/recognition/evidence_terms.h"
 
 namespace monocular_eye_hand {
 
@@ -16,35 +17,22 @@ struct SeenSample {
   Eigen::Vector2d uv, direction;  ///< rectified pixels; direction: unit
   int group = 0;
   int edge_point = -1;  ///< FeatureSet::points, -1: none within range
-  bool inside = false;  ///< inside the image
+  bool inside = false;  ///< inside the image, and not hidden
+  bool hidden = false;  ///< behind a surely recognised object
   bool silhouette = false;
+  int inward =
+      0;  ///< silhouette: +1 / -1 when the part lies on the side of +/- direction turned by 90 degrees
+  bool outline = false;  ///< verify(): the part's outline, beyond which it is not seen
 };
 
-/// What the image says about one refined pose: for it, and against it. Every term is a plain number that the
-/// decision weighs; names are those of ObjectEstimate::evidence.
-struct EvidenceTerms {
-  double sum = 0;                 ///< log-likelihood ratio of the visible contour [nats], one sample per 5 px
-  double mean = 0;                ///< ... per sample
-  double hit_ratio = 0;           ///< share of the contour inside the image with an edge within 2 px
-  double in_frame = 0;            ///< share of the contour inside the image
-  double contour_length = 0;      ///< visible contour inside the image [px]
-  double groups = 0;              ///< visible model features (edges, circles, silhouettes)
-  double unsupported = 0;         ///< share of them with hardly any edge under them
-  double unsupported_length = 0;  ///< ... weighted by their length
-  double silhouette_hits = 0;     ///< hit ratio of the outline alone
-  double crease_hits = 0;         ///< ... of the inner edges alone (of the outline where there are none)
-  double overhang = 0;      ///< share of the length of the image segments it uses that it does not explain
-  double continuation = 0;  ///< share of edge ends past which an image edge runs straight on
-  double ends = 0;          ///< edge ends that were tested for it
-  double interior = 0;      ///< share of face pixels with an edge that the model does not explain
-  double off_face = 0;      ///< share of face pixels that depart from a smooth shading of their face
-  double faces = 0;         ///< visible faces
-  double solidity = 0;      ///< drawn area over the area of the drawing's convex hull
-  double size = 0;          ///< square root of the drawn area [px]
-  double contrast = 0;      ///< median gradient of the answering edge points, relative to the image's noise
-  double rms = 0;           ///< back-projection error of the answered samples [px]
+/// A surely recognised object, which may hide others.
+struct Occluder {
+  const ObjectModel* model = nullptr;
+  Rigid3 object_from_camera;
+  cv::Rect box;  ///< around its drawing [uv_rect px]
 
-  std::map<std::string, double> named() const;
+  /// Whether it lies before a point that is seen at this pixel, `distance` from the camera [m].
+  bool hides(const Camera& camera, const Eigen::Vector2d& uv, double distance) const;
 };
 
 /// A pose that has been refined and looked at.
@@ -58,7 +46,8 @@ struct Candidate {
   std::vector<int> claimed;  ///< edge points that answer it, ascending
   std::vector<int> covered;  ///< cells of kCoverCell px that its faces cover, ascending
   int matched_groups = 0;
-  int matched_corners = 0;  ///< size of its constellation, see growConstellation
+  int matched_corners = 0;          ///< size of its constellation, see growConstellation
+  std::vector<Occluder> occluders;  ///< verify() does not miss what they hide
   cv::Rect bounding_box;
   double probability = 0;
 };

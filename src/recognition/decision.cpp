@@ -41,17 +41,8 @@ std::vector<std::vector<int>> allConflicts(const std::vector<Candidate>& candida
   return conflicts;
 }
 
-double probability(const EvidenceTerms& t, const DecisionWeights& w) {
-  const auto logOf = [](double value, double floor) { return std::log(std::max(value, floor)); };
-  const double logit = w.bias + w.log_sum * logOf(t.sum, 1) + w.mean * t.mean + w.hit_ratio * t.hit_ratio +
-                       w.silhouette_hits * t.silhouette_hits + w.crease_hits * t.crease_hits +
-                       w.log_groups * logOf(t.groups, 1) + w.unsupported * t.unsupported +
-                       w.unsupported_length * t.unsupported_length + w.continuation * t.continuation +
-                       w.overhang * t.overhang + w.interior * std::min(t.interior, 0.5) +
-                       w.solidity * t.solidity + w.log_faces * logOf(t.faces, 1) +
-                       w.log_size * logOf(t.size, 1) + w.log_contrast * logOf(t.contrast, 0.1) +
-                       w.in_frame * t.in_frame + w.rms * t.rms;
-  return 1 / (1 + std::exp(-logit));
+double probability(const EvidenceTerms& terms, const DecisionWeights& weights) {
+  return weights.probability(decisionValues(terms));
 }
 
 double rankScore(const Candidate& candidate) {

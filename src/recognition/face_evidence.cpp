@@ -55,6 +55,41 @@ int countOffShading(const std::vector<FacePixel>& pixels, bool curved) {
   return off;
 }
 
+// The drawn area on the lattice of looked-at pixels.
+struct DrawnArea {
+  cv::Rect box;
+  int step = 2;
+  cv::Mat_<uint8_t> drawn;
+
+  // Whether a pixel, or one of its neighbours on the lattice, is drawn.
+  bool near(float u, float v) const {
+    const int x = int((u - float(box.x)) / float(step)), y = int((v - float(box.y)) / float(step));
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if (unsigned(x + dx) < unsigned(drawn.cols) && unsigned(y + dy) < unsigned(drawn.rows) &&
+            drawn(y + dy, x + dx))
+          return true;
+    return false;
+  }
+};
+
+// Of the face pixels on unexplained edges, how many are on traces that leave the drawing.
+int countLeaving(const SearchImage& image, const std::map<int, int>& pixels_of_trace, const DrawnArea& area) {
+  constexpr int kStride = 3;
+  constexpr int kOutside = 8;  // edge points beyond the drawing that make a trace leave it
+  int leaving = 0;
+  for (const auto& [trace, pixels] : pixels_of_trace) {
+    const EdgeTrace& t = image.features.traces[size_t(trace)];
+    int outside = 0;
+    for (int i = t.first; i < t.first + t.count && outside * kStride < kOutside; i += kStride) {
+      const Eigen::Vector2f& uv = image.features.points[size_t(i)].uv;
+      outside += !area.near(uv.x(), uv.y());
+    }
+    if (outside * kStride >= kOutside) leaving += pixels;
+  }
+  return leaving;
+}
+
 cv::Mat contourBand(const Candidate& candidate, const cv::Rect& box) {
   cv::Mat band = cv::Mat::zeros(box.size(), CV_8U);
   const int radius = int(kContourBand);
@@ -78,6 +113,8 @@ void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* 
   const auto firstOnLattice = [step](int start, int origin) {
     return start + ((origin - start) % step + step) % step;
   };
+  DrawnArea area{box, step, cv::Mat_<uint8_t>::zeros(box.height / step + 2, box.width / step + 2)};
+  std::map<int, int> pixels_of_trace;
   std::map<int, std::vector<FacePixel>> by_surface;
   std::vector<cv::Point2f> drawn;
   int interior = 0, unexplained = 0, hits = 0;
@@ -89,7 +126,12 @@ void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* 
       const RayScene::Hit hit = model.rays->cast(object_from_camera.translation, ray);
       if (!hit.hit) continue;
       ++hits;
+      area.drawn((v - box.y) / step, (u - box.x) / step) = 1;
       drawn.emplace_back(float(u), float(v));
+      const auto hides = [&](const Occluder& o) {
+        return o.hides(context.camera, {double(u), double(v)}, hit.distance);
+      };
+      if (std::any_of(candidate->occluders.begin(), candidate->occluders.end(), hides)) continue;
       const int x = u - context.domain.u0, y = v - context.domain.v0;
       candidate->covered.push_back((y / kCoverCell) * cells_x + x / kCoverCell);
       const int surface = model.surface_of_triangle[hit.triangle];
@@ -98,10 +140,12 @@ void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* 
       if (band.at<uint8_t>(v - box.y, u - box.x)) continue;
       pixels.push_back({float(u), float(v), float(context.rect_grey.at<uint8_t>(y, x))});
       ++interior;
-      bool edge = false;
-      for (int dy = -1; dy <= 1 && !edge; ++dy)
-        for (int dx = -1; dx <= 1 && !edge; ++dx) edge = context.raster.indexAt(u + dx, v + dy) >= 0;
-      unexplained += edge;
+      int edge = -1;
+      for (int dy = -1; dy <= 1 && edge < 0; ++dy)
+        for (int dx = -1; dx <= 1 && edge < 0; ++dx) edge = context.raster.indexAt(u + dx, v + dy);
+      if (edge < 0) continue;
+      ++unexplained;
+      ++pixels_of_trace[context.trace_of_point[size_t(edge)]];
     }
   std::sort(candidate->covered.begin(), candidate->covered.end());
   candidate->covered.erase(std::unique(candidate->covered.begin(), candidate->covered.end()),
@@ -111,6 +155,9 @@ void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* 
     off += countOffShading(pixels, model.surfaces[surface].kind != Surface::Kind::kPlane);
   terms.faces = double(by_surface.size());
   terms.interior = interior > 0 ? double(unexplained) / interior : 0;
+  const int leaving = countLeaving(context, pixels_of_trace, area);
+  terms.through = interior > 0 ? double(leaving) / interior : 0;
+  terms.print = interior > 0 ? double(unexplained - leaving) / interior : 0;
   terms.off_face = interior > 0 ? double(off) / interior : 0;
   terms.size = std::sqrt(double(hits)) * step;
   if (drawn.size() >= 3) {

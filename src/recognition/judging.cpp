@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "monocular_eye_hand/geometry/error.h"
 #include "recognition/alignment.h"
 #include "recognition/decision.h"
 #include "recognition/verification.h"
@@ -11,9 +12,10 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kSamePose = 4.0;     // poses this near in the image are one [px]
-constexpr double kSameStart = 2.0;    // a start this near to a candidate leads there [px]
-constexpr double kSameEnd = 1.5;      // an aligned pose this near to a candidate is it [px]
+constexpr double kSamePose = 4.0;                     // poses this near in the image are one [px]
+constexpr double kSameStart = 2.0;                    // a start this near to a candidate leads there [px]
+constexpr double kSameEnd = 1.5;                      // an aligned pose this near to a candidate is it [px]
+const std::vector<double> kProposalRanges{2.5, 1.5};  // a proposed pose is taken to be near its edges [px]
 constexpr double kMinEvidence = 6.0;  // of an aligned pose, else it is not looked at further [nats]
 
 struct AlignedHypothesis {
@@ -71,15 +73,15 @@ bool isKnown(const SearchTask& task, int object, const Rigid3& camera_from_objec
   });
 }
 
-// The hypothesis aligned to the exact contour; nothing when its pose cannot be, or is that of a known
-// candidate.
-std::optional<Candidate> alignedCandidate(const SearchTask& task, int object, const Hypothesis& hypothesis,
+}  // namespace
+
+std::optional<Candidate> alignedCandidate(const SearchTask& task, int object, const Rigid3& start,
+                                          const std::vector<double>& ranges,
                                           const std::vector<Candidate>& known) {
   const SearchModel& model = task.models[object];
   Candidate candidate;
   candidate.object = object;
-  candidate.kind = hypothesis.kind;
-  candidate.pose = alignFinely(model, task.image, hypothesis.camera_from_object, kFineRanges, kFineStep);
+  candidate.pose = alignFinely(model, task.image, start, ranges, kFineStep);
   if (!candidate.pose.well_posed) return std::nullopt;
 
   candidate.pose.camera_from_object = model.canonical(candidate.pose.camera_from_object, &candidate.view);
@@ -90,7 +92,16 @@ std::optional<Candidate> alignedCandidate(const SearchTask& task, int object, co
   return candidate;
 }
 
-}  // namespace
+bool bearsOut(const SearchTask& task, Candidate* candidate) {
+  const SearchModel& model = task.models[candidate->object];
+  drawContour(model, task.image, candidate);
+  const EvidenceTerms& terms = candidate->terms;
+  if (terms.in_frame < task.options.min_in_frame || terms.sum < kMinEvidence) return false;
+
+  weighDrawing(model, task.image, candidate);
+  candidate->probability = probability(terms, task.options.decision);
+  return true;
+}
 
 std::vector<Candidate> judgeHypotheses(const SearchTask& task, int object, HypothesisPool* pool, int count,
                                        std::vector<Candidate> known, WorkBudget* budget, StageLog* log) {
@@ -106,18 +117,33 @@ std::vector<Candidate> judgeHypotheses(const SearchTask& task, int object, Hypot
     for (const AlignedHypothesis& a : distinctPoses(task, model, aligned)) {
       if (isKnown(task, object, a.hypothesis.camera_from_object, known, kSameStart)) continue;
       if (budget->outOfTime()) break;
-      std::optional<Candidate> candidate = alignedCandidate(task, object, a.hypothesis, known);
+      std::optional<Candidate> candidate =
+          alignedCandidate(task, object, a.hypothesis.camera_from_object, kFineRanges, known);
       report->counts["verified"] += candidate.has_value();
       if (!candidate) continue;
 
-      verify(model, task.image, &*candidate);
-      const EvidenceTerms& terms = candidate->terms;
-      if (terms.in_frame < task.options.min_in_frame || terms.sum < kMinEvidence) continue;
-      candidate->probability = probability(terms, task.options.decision);
-      known.push_back(std::move(*candidate));
+      candidate->kind = a.hypothesis.kind;
+      if (bearsOut(task, &*candidate)) known.push_back(std::move(*candidate));
     }
   });
   return known;
+}
+
+std::vector<Candidate> judgeProposals(const SearchTask& task, const std::vector<PoseProposal>& proposals,
+                                      StageLog* log) {
+  return log->timed("verification", [&](StageReport* report) {
+    std::vector<Candidate> candidates;
+    for (const PoseProposal& proposal : proposals) {
+      if (proposal.object < 0 || proposal.object >= int(task.models.size()))
+        throw BadInput("a pose is proposed for object " + std::to_string(proposal.object) +
+                       ", the model base has " + std::to_string(task.models.size()));
+      std::optional<Candidate> candidate =
+          alignedCandidate(task, proposal.object, proposal.camera_from_object, kProposalRanges, candidates);
+      report->counts["verified"] += candidate.has_value();
+      if (candidate && bearsOut(task, &*candidate)) candidates.push_back(std::move(*candidate));
+    }
+    return candidates;
+  });
 }
 
 }  // namespace monocular_eye_hand

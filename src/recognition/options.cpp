@@ -19,6 +19,7 @@ void require(bool holds, const char* field, double value, const char* rule) {
 void RecognitionOptions::check() const {
   features.check();
   grouping.check();
+  decision.check();
   require(min_distance > 0, "min_distance", min_distance, "must be positive [m]");
   require(max_distance > min_distance, "max_distance", max_distance, "must be larger than min_distance [m]");
   require(min_size >= 8, "min_size", min_size, "must be at least 8 px");

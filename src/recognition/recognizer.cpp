@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "recognition/best_four_poses.h"
 #include "recognition/fine_pose.h"
+#include "recognition/full_size.h"
+#include "recognition/judging.h"
 #include "recognition/object_search.h"
+#include "recognition/occlusion.h"
 #include "recognition/reporting.h"
+#include "recognition/twins.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -39,6 +44,20 @@ bool anyAccepted(const std::vector<Candidate>& candidates, const std::vector<Exp
   return std::any_of(chosen.begin(), chosen.end(), [&](const Explanation& explanation) {
     return candidates[explanation.candidate].probability >= accept_probability;
   });
+}
+
+// Wong et al., 2.2, steps 2 to 6. `one_is_enough`: the search ends with the first accepted candidate.
+std::vector<Candidate> search(const SearchTask& task, bool one_is_enough, WorkBudget* budget, StageLog* log) {
+  // Steps 2 to 5: an unmatched pair makes a hypothesis, its characteristic view is laid on the image,
+  // evaluated, and verified; what the image bears out is recorded as a candidate.
+  SearchState found = searchGroupings(task, budget, log);
+  const std::vector<Explanation> chosen = chooseExplanations(found.candidates);
+  if (one_is_enough && anyAccepted(found.candidates, chosen, task.options.accept_probability))
+    return std::move(found.candidates);
+
+  // Step 6: again from step 2, with single edges, until all groupings have been used; the search for one
+  // object ends when it has a plausible and reliable match.
+  return searchEdges(task, std::move(found), chosen, budget, log).candidates;
 }
 
 }  // namespace
@@ -73,32 +92,39 @@ RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camer
   // The steps of Wong et al., 2.2. Step 1: groupings of the image; those of the models are at hand, and the
   // pairs of both are the branches of the search tree.
   SearchImage image = lookAtImage(grey, camera, base, options, &log);
-  const SearchTask task{image, models, wanted, options};
+  const SearchTask searching{image, models, wanted, options};
 
-  // Steps 2 to 5: an unmatched pair makes a hypothesis, its characteristic view is laid on the image,
-  // evaluated, and verified; what the image bears out is recorded as a candidate.
-  SearchState found = searchGroupings(task, &budget, &log);
-  std::vector<Explanation> chosen = chooseExplanations(found.candidates);
+  // Steps 2 to 6, or the poses that are given instead.
+  SearchOutcome outcome;
+  std::vector<Candidate>& candidates = outcome.candidates;
+  candidates = request.proposals ? judgeProposals(searching, *request.proposals, &log)
+                                 : search(searching, !request.only.empty(), &budget, &log);
+  outcome.chosen = chooseExplanations(candidates);
 
-  // Step 6: again from step 2, with single edges, until all groupings have been used; the search for one
-  // object ends when it has a plausible and reliable match.
-  const bool one_is_enough = !request.only.empty();
-  if (!one_is_enough || !anyAccepted(found.candidates, chosen, options.accept_probability)) {
-    found = searchEdges(task, std::move(found), chosen, &budget, &log);
-    chosen = chooseExplanations(found.candidates);
+  // What follows sees the image at the size that resolves the contours best.
+  std::optional<FullSize> full = judgeInFull(searching, base, candidates, outcome.chosen, grey, camera, &log);
+  if (full) {
+    candidates = std::move(full->candidates);
+    outcome.chosen = chooseExplanations(candidates);
   }
+  const SearchTask task{full ? full->image : image, models, wanted, options};
+
+  // What is easily taken for one another, and what hides behind another.
+  candidates = addTwins(task, std::move(candidates), outcome.chosen, &log);
+  outcome.chosen = chooseExplanations(candidates);
+  candidates = excuseHidden(task, std::move(candidates), outcome.chosen, &log);
+  outcome.chosen = chooseExplanations(candidates);
 
   // 2.4: the pose is calculated again from the best four, and fine-tuned by all features that are redundant.
-  SearchOutcome outcome;
-  outcome.candidates = recalculateBestFour(task, std::move(found.candidates), chosen, &log);
-  outcome.chosen = chooseExplanations(outcome.candidates);
-  outcome.verdicts = decide(task, outcome.candidates, outcome.chosen, &log);
-  outcome.poses = refineChosen(task, outcome.candidates, outcome.chosen, grey, camera, &log);
+  candidates = recalculateBestFour(task, std::move(candidates), outcome.chosen, &log);
+  outcome.chosen = chooseExplanations(candidates);
+  outcome.verdicts = decide(task, candidates, outcome.chosen, &log);
+  outcome.poses = refineChosen(task, candidates, outcome.chosen, grey, camera, &log);
   outcome.poses =
-      keepEqualPoses(task, outcome.candidates, outcome.chosen, std::move(outcome.poses), request.previous);
+      keepEqualPoses(task, candidates, outcome.chosen, std::move(outcome.poses), request.previous);
 
   // Step 7: output.
-  RecognitionResult result = reportObjects(task, outcome, double(camera.width) / image.camera.width);
+  RecognitionResult result = reportObjects(task, outcome, double(camera.width) / task.image.camera.width);
   if (request.judged) result.judged = listJudged(task, outcome);
   result.truncated = budget.cutByTime();
   result.budget_spent = budget.cutByWork();

@@ -88,6 +88,8 @@ ObjectEstimate reportObject(const SearchTask& task, const Candidate& candidate, 
   object.symmetry = describeSymmetry(symmetries);
   object.free_axis = symmetries.axis.has_value() || symmetries.sphere;
   object.reason = verdict.reason;
+  object.spoke_for = verdict.spoke_for;
+  object.spoke_against = verdict.spoke_against;
   object.evidence = candidate.terms.named();
   return object;
 }

@@ -4,6 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "monocular_eye_hand/features/gradient.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -17,6 +19,13 @@ double gradientNoise(const FeatureSet& features) {
   const auto tenth = gradients.begin() + gradients.size() / 10;
   std::nth_element(gradients.begin(), tenth, gradients.end());
   return *tenth;
+}
+
+std::vector<int> traceOfPoint(const FeatureSet& features) {
+  std::vector<int> trace(features.points.size(), -1);
+  for (size_t t = 0; t < features.traces.size(); ++t)
+    for (int i = 0; i < features.traces[t].count; ++i) trace[size_t(features.traces[t].first + i)] = int(t);
+  return trace;
 }
 
 struct GreyImage {
@@ -56,6 +65,8 @@ SearchImage withEvidence(SearchImage image) {
   image.map = EvidenceMap(image.features, image.domain);
   image.rect_grey = rectifiedGrey(image.grey, image.camera, image.domain);
   image.noise = gradientNoise(image.features);
+  image.grey_noise = imageNoise(image.grey);
+  image.trace_of_point = traceOfPoint(image.features);
   return image;
 }
 

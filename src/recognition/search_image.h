@@ -22,9 +22,11 @@ struct SearchImage {
 
   std::vector<Grouping> groupings;  ///< withGroupings
 
-  EvidenceMap map;    ///< withEvidence; on the domain
-  cv::Mat rect_grey;  ///< withEvidence; rectified, on the domain
-  double noise = 1;   ///< withEvidence; gradient noise [grey levels per px]
+  EvidenceMap map;                  ///< withEvidence; on the domain
+  cv::Mat rect_grey;                ///< withEvidence; rectified, on the domain
+  double noise = 1;                 ///< withEvidence; gradient noise [grey levels per px]
+  double grey_noise = 1;            ///< withEvidence; standard deviation of the image noise [grey levels]
+  std::vector<int> trace_of_point;  ///< withEvidence; features.traces by features.points
 };
 
 /// What an alignment looks at: features and where their edge points lie. `grey`: CV_8UC1 of the camera's

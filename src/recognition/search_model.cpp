@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/model/equal_poses.h"
 
@@ -12,6 +13,8 @@ namespace {
 constexpr int kLookupSide = 24;           // cells along one side of a cube face
 constexpr double kMinAnchorShare = 0.10;  // shortest ruler, as a share of the diameter
 constexpr double kMinAnchorVisible = 0.8;
+constexpr double kSquare = 0.15;    // sides that differ by less of the larger one are taken for each other
+constexpr double kSameTurn = 0.06;  // rotations nearer than this are one [rad]
 
 int lookupCell(const Eigen::Vector3d& d) {
   int axis;
@@ -120,6 +123,77 @@ SearchModel::SearchModel(const KnownObject& object) : object_(&object), grouping
   for (int i = 0; i < 8; ++i) extent_.push_back(model().bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
   buildLookup();
   buildAnchors();
+  buildBoxTurns();
+  buildHull();
+}
+
+void SearchModel::buildBoxTurns() {
+  const Symmetries& symmetries = model().symmetries;
+  if (symmetries.sphere) return;
+  std::vector<Rigid3> known = symmetries.discrete;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = model().bounds.sizes()[(axis + 1) % 3], b = model().bounds.sizes()[(axis + 2) % 3];
+    const bool square = std::abs(a - b) < kSquare * std::max(a, b);
+    for (int quarters : {2, 1, 3}) {
+      if (quarters != 2 && !square) continue;
+      const Eigen::AngleAxisd turn(quarters * M_PI / 2, Eigen::Vector3d::Unit(axis));
+      const Rigid3 motion = turnAbout(model().centre(), turn.toRotationMatrix());
+      const auto same = [&](const Rigid3& other) {
+        return angleBetween(turnedTowards(model(), other, motion).rotation, motion.rotation) < kSameTurn;
+      };
+      if (std::any_of(known.begin(), known.end(), same)) continue;
+      known.push_back(motion);
+      box_turns_.push_back(motion);
+    }
+  }
+}
+
+void SearchModel::buildHull() {
+  constexpr int kDirections = 400, kViews = 120;
+  const auto onSphere = [](int k, int count) -> Eigen::Vector3d {  // evenly spread: Fibonacci's spiral
+    const double z = 1 - (2 * k + 1.0) / count, angle = k * 2.399963229728653, r = std::sqrt(1 - z * z);
+    return {r * std::cos(angle), r * std::sin(angle), z};
+  };
+  std::vector<char> outermost(model().mesh.vertices.size(), 0);
+  for (int k = 0; k < kDirections; ++k) {
+    const Eigen::Vector3d direction = onSphere(k, kDirections);
+    size_t best = 0;
+    double farthest = -std::numeric_limits<double>::max();
+    for (size_t i = 0; i < outermost.size(); ++i) {
+      const double reach = direction.dot(model().mesh.vertices[i]);
+      if (reach <= farthest) continue;
+      farthest = reach;
+      best = i;
+    }
+    outermost[best] = 1;
+  }
+  for (size_t i = 0; i < outermost.size(); ++i)
+    if (outermost[i]) hull_.push_back(model().mesh.vertices[i]);
+
+  for (int k = 0; k < kViews; ++k) {
+    const ViewExtent seen = extentAlong(onSphere(k, kViews));
+    largest_.area = std::max(largest_.area, seen.area);
+    largest_.length = std::max(largest_.length, seen.length);
+  }
+}
+
+ViewExtent SearchModel::extentAlong(const Eigen::Vector3d& direction) const {
+  const Eigen::Vector3d x = direction.unitOrthogonal(), y = direction.cross(x);
+  std::vector<cv::Point2f> points, hull;
+  for (const Eigen::Vector3d& p : hull_) points.emplace_back(float(x.dot(p)), float(y.dot(p)));
+  if (points.size() < 3) return {};
+  cv::convexHull(points, hull);
+  ViewExtent extent;
+  extent.area = cv::contourArea(hull);
+  for (size_t i = 0; i < hull.size(); ++i)
+    for (size_t j = i + 1; j < hull.size(); ++j)
+      extent.length = std::max(extent.length, cv::norm(hull[i] - hull[j]));
+  return extent;
+}
+
+ViewExtent SearchModel::extentSeenFrom(const Rigid3& pose) const {
+  const Eigen::Vector3d eye = -(pose.rotation.transpose() * pose.translation);
+  return extentAlong((eye - model().centre()).normalized());
 }
 
 void SearchModel::buildLookup() {

@@ -36,6 +36,12 @@ struct AnchorLevel {
   std::vector<Anchor> anchors;
 };
 
+/// How large a part looks from one side: of its convex hull, at the distance of its centre.
+struct ViewExtent {
+  double area = 0;    ///< [m^2]
+  double length = 0;  ///< largest distance between two points [m]
+};
+
 /// A known object prepared for search.
 class SearchModel {
  public:
@@ -64,9 +70,20 @@ class SearchModel {
   /// group.
   double poseDistance(const Camera& camera, const Rigid3& a, const Rigid3& b) const;
 
+  /// Turns about the centre that lay the bounding box on itself and are no symmetries: object_from_object.
+  const std::vector<Rigid3>& boxTurns() const { return box_turns_; }
+
+  /// How large the part looks under a pose, along the ray to its centre.
+  ViewExtent extentSeenFrom(const Rigid3& camera_from_object) const;
+  /// The largest area and length of all views.
+  const ViewExtent& largestExtent() const { return largest_; }
+
  private:
   void buildLookup();
   void buildAnchors();
+  void buildBoxTurns();
+  void buildHull();
+  ViewExtent extentAlong(const Eigen::Vector3d& direction) const;
 
   const KnownObject* object_;
   std::vector<ModelGrouping> groupings_;
@@ -81,6 +98,9 @@ class SearchModel {
   std::vector<Nearest> lookup_;  ///< cube map of eye directions
   double meridian_ = 0;          ///< azimuth of the sampled views about a free axis [rad]
   std::vector<Eigen::Vector3d> extent_;
+  std::vector<Rigid3> box_turns_;
+  std::vector<Eigen::Vector3d> hull_;  ///< vertices that are outermost in some direction
+  ViewExtent largest_;
 };
 
 /// Coarse plausibility of a pose: evidence summed along the contour of the nearest sampled view.

@@ -11,30 +11,38 @@ namespace {
 constexpr double kOtherPose = 10.0;  // poses farther apart than this in the image are really different [px]
 constexpr double kTwin = 0.85;  // of the better one's rank; with less, by far, a rival is but a part of it
 
+constexpr size_t kWords = 3;            // terms told for and against
+constexpr double kWorthTelling = 0.15;  // log-odds
+
 std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
 
-std::string whatSpeaksAgainst(const EvidenceTerms& t) {
-  std::vector<std::pair<double, std::string>> faults{
-      {2.4 * t.continuation, "image edges run on past " + percent(t.continuation) + " of its corners"},
-      {2.0 * t.unsupported, percent(t.unsupported) + " of its features have no edge under them"},
-      {3.0 * t.off_face, percent(t.off_face) + " of its faces are not smoothly shaded"},
-      {1.5 * t.interior, percent(t.interior) + " of its faces carry edges that it does not explain"},
-      {1.5 * (1 - t.hit_ratio), "only " + percent(t.hit_ratio) + " of its contour is seen"}};
-  std::stable_sort(faults.begin(), faults.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  return faults[0].second + "; " + faults[1].second;
+// The strongest terms for (or against) the candidate, in words.
+std::vector<std::string> strongest(std::vector<TermContribution> contributions, bool against) {
+  if (against) std::reverse(contributions.begin(), contributions.end());
+  std::vector<std::string> words;
+  for (const TermContribution& c : contributions) {
+    const double strength = against ? -c.log_odds : c.log_odds;
+    if (words.size() == kWords || strength < kWorthTelling) break;
+    words.push_back(inWords(c));
+  }
+  return words;
 }
 
-std::string whyDecided(Decision decision, const Candidate& best, size_t alternatives,
-                       double accept_probability) {
+std::string whyDecided(const Verdict& verdict, const Candidate& best, double accept_probability) {
   std::ostringstream reason;
-  switch (decision) {
-    case Decision::kRejected:
-      reason << "probability " << std::round(100 * best.probability) / 100 << " below " << accept_probability
-             << ": " << whatSpeaksAgainst(best.terms);
+  switch (verdict.decision) {
+    case Decision::kRejected: {
+      reason << "probability " << std::round(100 * best.probability) / 100 << " below " << accept_probability;
+      const char* separator = ": ";
+      for (const std::string& words : verdict.spoke_against) {
+        reason << separator << words;
+        separator = "; ";
+      }
       break;
+    }
     case Decision::kAmbiguous:
-      reason << alternatives << " other pose(s) or object(s) explain the same part of the image as well";
+      reason << verdict.alternatives.size()
+             << " other pose(s) or object(s) explain the same part of the image as well";
       break;
     case Decision::kAccepted:
       reason << best.matched_groups << " of " << int(best.terms.groups) << " visible features found, "
@@ -66,8 +74,11 @@ Verdict verdictOn(const SearchTask& task, const std::vector<Candidate>& candidat
     verdict.decision = Decision::kRejected;
   else
     verdict.decision = twin ? Decision::kAmbiguous : Decision::kAccepted;
-  verdict.reason =
-      whyDecided(verdict.decision, best, verdict.alternatives.size(), task.options.accept_probability);
+  const std::vector<TermContribution> weighed =
+      contributions(decisionValues(best.terms), task.options.decision);
+  verdict.spoke_for = strongest(weighed, false);
+  verdict.spoke_against = strongest(weighed, true);
+  verdict.reason = whyDecided(verdict, best, task.options.accept_probability);
   return verdict;
 }
 

@@ -15,6 +15,7 @@ struct Verdict {
   Decision decision = Decision::kRejected;
   std::vector<Alternative> alternatives;  ///< its rivals that are really different and nearly as likely
   std::string reason;                     ///< for people
+  std::vector<std::string> spoke_for, spoke_against;  ///< as ObjectEstimate's
 };
 
 /// One verdict per explanation.

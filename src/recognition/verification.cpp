@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "recognition/alignment.h"
+#include "recognition/drawing_terms.h"
 #include "recognition/face_evidence.h"
 
 namespace monocular_eye_hand {
@@ -16,11 +17,22 @@ constexpr double kIndependent = 5.0;       // contour length that counts as one 
 constexpr double kUnsupportedHits = 0.35;  // a feature with a smaller share of hits is unsupported
 constexpr double kMinFeature = 8.0;        // shorter visible features are not counted [px]
 
+bool hidden(const Candidate& candidate, const Camera& camera, const Eigen::Vector2d& uv, double distance) {
+  return std::any_of(candidate.occluders.begin(), candidate.occluders.end(),
+                     [&](const Occluder& occluder) { return occluder.hides(camera, uv, distance); });
+}
+
 void matchSamples(const SearchImage& context, Candidate* candidate) {
   for (SeenSample& s : candidate->contour) {
     if (!s.inside) continue;
     s.edge_point = context.raster.find(s.uv, {-s.direction.y(), s.direction.x()}, kHitRange);
-    if (s.edge_point >= 0) candidate->claimed.push_back(s.edge_point);
+    if (s.edge_point >= 0) {
+      candidate->claimed.push_back(s.edge_point);
+      continue;
+    }
+    const double distance = (candidate->pose.camera_from_object * s.p_in_object).norm();
+    s.hidden = hidden(*candidate, context.camera, s.uv, distance);
+    s.inside = !s.hidden;
   }
   std::sort(candidate->claimed.begin(), candidate->claimed.end());
   candidate->claimed.erase(std::unique(candidate->claimed.begin(), candidate->claimed.end()),
@@ -30,10 +42,11 @@ void matchSamples(const SearchImage& context, Candidate* candidate) {
 void contourTerms(const SearchImage& context, Candidate* candidate) {
   EvidenceTerms& terms = candidate->terms;
   double sum = 0, squares = 0;
-  int inside = 0, hits = 0, outline = 0, outline_hits = 0;
+  int inside = 0, hits = 0, outline = 0, outline_hits = 0, hidden = 0;
   std::map<int, std::pair<int, int>> groups;  // group -> samples, hits
   std::vector<float> gradients;
   for (const SeenSample& s : candidate->contour) {
+    hidden += s.hidden;
     if (!s.inside) continue;
     ++inside;
     auto& group = groups[s.group];
@@ -59,7 +72,9 @@ void contourTerms(const SearchImage& context, Candidate* candidate) {
   terms.silhouette_hits = outline ? double(outline_hits) / outline : terms.hit_ratio;
   terms.crease_hits =
       inside > outline ? double(hits - outline_hits) / (inside - outline) : terms.silhouette_hits;
-  terms.in_frame = candidate->contour.empty() ? 0 : double(inside) / double(candidate->contour.size());
+  const int all = int(candidate->contour.size());
+  terms.in_frame = all > hidden ? double(inside) / (all - hidden) : 0;
+  terms.hidden = all ? double(hidden) / all : 0;
   terms.contour_length = inside * kStep;
   terms.rms = hits ? std::sqrt(squares / hits) : kHitRange;
   int total = 0, missing = 0;
@@ -173,41 +188,31 @@ void boundingBox(const SearchImage& context, Candidate* candidate) {
 
 }  // namespace
 
-std::map<std::string, double> EvidenceTerms::named() const {
-  return {{"sum", sum},
-          {"mean", mean},
-          {"hit_ratio", hit_ratio},
-          {"in_frame", in_frame},
-          {"contour_length", contour_length},
-          {"groups", groups},
-          {"unsupported", unsupported},
-          {"unsupported_length", unsupported_length},
-          {"continuation", continuation},
-          {"ends", ends},
-          {"silhouette_hits", silhouette_hits},
-          {"crease_hits", crease_hits},
-          {"overhang", overhang},
-          {"interior", interior},
-          {"off_face", off_face},
-          {"faces", faces},
-          {"solidity", solidity},
-          {"size", size},
-          {"contrast", contrast},
-          {"rms", rms}};
-}
-
-void verify(const SearchModel& model, const SearchImage& context, Candidate* candidate) {
+void drawContour(const SearchModel& model, const SearchImage& image, Candidate* candidate) {
   candidate->claimed.clear();
   candidate->covered.clear();
   candidate->terms = EvidenceTerms();
-  candidate->contour = projectContour(model.model(), candidate->pose.camera_from_object, context.camera,
-                                      context.domain, kStep);
-  matchSamples(context, candidate);
-  contourTerms(context, candidate);
-  boundingBox(context, candidate);
-  continuationTerm(context, model.model(), candidate);
-  overhangTerm(context, candidate);
-  faceTerms(model.model(), context, candidate);
+  candidate->contour =
+      projectContour(model.model(), candidate->pose.camera_from_object, image.camera, image.domain, kStep);
+  matchSamples(image, candidate);
+  contourTerms(image, candidate);
+  boundingBox(image, candidate);
+}
+
+void weighDrawing(const SearchModel& model, const SearchImage& image, Candidate* candidate) {
+  continuationTerm(image, model.model(), candidate);
+  overhangTerm(image, candidate);
+  faceTerms(model.model(), image, candidate);
+  coherenceTerms(image, candidate);
+  absenceTerms(model.model(), image, candidate);
+  crossingTerms(image, candidate);
+  chanceTerms(image, candidate);
+  viewTerms(model, image, candidate);
+}
+
+void verify(const SearchModel& model, const SearchImage& image, Candidate* candidate) {
+  drawContour(model, image, candidate);
+  weighDrawing(model, image, candidate);
 }
 
 }  // namespace monocular_eye_hand

@@ -5,7 +5,12 @@
 
 namespace monocular_eye_hand {
 
-/// Fills contour, claimed, covered and terms for the candidate's pose.
+/// Draws the candidate's contour on the image and fills contour, claimed, bounding box and the terms of the
+/// contour alone: enough to turn down what the image hardly shows.
+void drawContour(const SearchModel& model, const SearchImage& image, Candidate* candidate);
+/// Fills the other terms and `covered` of a drawn candidate.
+void weighDrawing(const SearchModel& model, const SearchImage& image, Candidate* candidate);
+/// Both.
 void verify(const SearchModel& model, const SearchImage& image, Candidate* candidate);
 
 }  // namespace monocular_eye_hand

@@ -202,6 +202,8 @@ class PageWriter {
                   {"groupings explained", std::to_string(object.matched_groupings)},
                   {"characteristic view", std::to_string(object.characteristic_view)}};
     if (!object.symmetry.empty()) card.terms.push_back({"symmetry", object.symmetry});
+    for (const std::string& words : object.spoke_for) card.terms.push_back({"speaks for it", words});
+    for (const std::string& words : object.spoke_against) card.terms.push_back({"speaks against it", words});
     for (const auto& [term, value] : object.evidence) card.terms.push_back({term, shortNumber(value)});
     for (const Alternative& other : object.alternatives) {
       const bool known = other.object >= 0 && other.object < int(models_.objects.size());

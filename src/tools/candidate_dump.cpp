@@ -1,14 +1,19 @@
 #include "candidate_dump.h"
 
+#include <algorithm>
 #include <fstream>
 #include <ostream>
 #include <set>
 
+#include "csv_table.h"
+#include "decision_fit.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
 
 namespace {
+
+constexpr double kSamePlace = 0.5;  // of the diameter: a pose nearer to the truth is in its place
 
 void writePose(const Rigid3& pose, std::ostream* out) {
   for (int row = 0; row < 3; ++row)
@@ -46,6 +51,12 @@ CandidateDump::Row CandidateDump::measured(const BopImage& image, const JudgedCa
     row.errors = errors;
     row.visible = image.truth[k].visible;
   }
+  if (row.truth < 0 || row.errors.mspd < kRightPixels) return row;
+
+  const GroundTruth& truth = image.truth[size_t(row.truth)];
+  const Rigid3& pose = candidate.camera_from_object;
+  const double apart = (pose.translation - truth.camera_from_object.translation).norm();
+  if (apart < kSamePlace * meter_.model(bop_object).diameter) row.adi = meter_.closestDistance(truth, pose);
   return row;
 }
 
@@ -66,7 +77,7 @@ void CandidateDump::write(const std::string& path) const {
   std::ofstream file(path);
   file.precision(9);
   file << "scene_id,im_id,obj_id,name,decision,probability,plausibility,reliability,gt_id,mspd_px,mssd_d,"
-          "visib";
+          "visib,adi_d";
   for (const std::string& term : terms) file << ',' << term;
   file << ",candidate,fate,suppressed_by,conflicts,kind,rank_score,r11,r12,r13,r21,r22,r23,r31,r32,r33,t1,t2,"
           "t3\n";
@@ -80,6 +91,8 @@ void CandidateDump::write(const std::string& path) const {
       file << row.truth << ',' << row.errors.mspd << ',' << row.errors.mssd << ',' << row.visible;
     else
       file << ",,,";
+    file << ',';
+    if (row.adi >= 0) file << row.adi;
 
     for (const std::string& term : terms) {
       const auto value = c.evidence.find(term);
@@ -92,6 +105,36 @@ void CandidateDump::write(const std::string& path) const {
   }
   file.close();
   if (!file) throw BadInput(path + ": cannot be written");
+}
+
+DumpedPoses::DumpedPoses(const std::string& path) {
+  const CsvTable table(path);
+  const int scene = table.column("scene_id"), image = table.column("im_id"), object = table.column("obj_id");
+  const int first = table.column("r11"), last = table.column("t3");
+  if (last - first != 11) throw BadInput(path + ": the columns r11 ... t3 are not those of a dump");
+
+  for (size_t row = 0; row < table.rows(); ++row) {
+    PoseProposal proposal;
+    proposal.object = int(table.number(row, object));
+    for (int k = 0; k < 9; ++k)
+      proposal.camera_from_object.rotation(k / 3, k % 3) = table.number(row, first + k);
+    for (int k = 0; k < 3; ++k) proposal.camera_from_object.translation[k] = table.number(row, first + 9 + k);
+    poses_[{int(table.number(row, scene)), int(table.number(row, image))}].push_back(proposal);
+  }
+}
+
+std::vector<PoseProposal> DumpedPoses::of(const BopImage& image, const std::vector<int>& bop_objects) const {
+  std::vector<PoseProposal> proposals;
+  const auto found = poses_.find({image.scene, image.id});
+  if (found == poses_.end()) return proposals;
+
+  for (PoseProposal proposal : found->second) {
+    const auto object = std::find(bop_objects.begin(), bop_objects.end(), proposal.object);
+    if (object == bop_objects.end()) continue;
+    proposal.object = int(object - bop_objects.begin());
+    proposals.push_back(proposal);
+  }
+  return proposals;
 }
 
 }  // namespace monocular_eye_hand

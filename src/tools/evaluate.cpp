@@ -24,7 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string dataset, split, models, targets, options, out, dump, report, misses, compare;
+  std::string dataset, split, models, targets, options, decision, out, dump, proposals, report, misses,
+      compare;
   std::vector<std::string> settings;
   std::vector<int> scenes, images;
   std::vector<double> warp;
@@ -95,8 +96,10 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
   Progress progress(split.images.size());
   RecognitionRequest request;
   request.judged = dump || args.pages();
+  const DumpedPoses dumped = args.proposals.empty() ? DumpedPoses() : DumpedPoses(args.proposals);
   Run run;
   for (const BopImage& image : split.images) {
+    if (!args.proposals.empty()) request.proposals = dumped.of(image, ids);
     const CameraImage input = source.load(image);
     const auto start = std::chrono::steady_clock::now();
     const RecognitionResult result = recognizer.recognize(input.grey, input.camera, request);
@@ -212,7 +215,7 @@ void check(const Arguments& args) {
 
 int evaluate(const Arguments& args) {
   check(args);
-  const RecognitionOptions options = recognitionOptions(args.options, args.settings);
+  const RecognitionOptions options = recognitionOptions(args.options, args.settings, args.decision);
   const BopModels models = loadBopModels(args.models.empty() ? args.dataset + "/models" : args.models);
   BopSplit split = loadBopSplit(args.dataset, args.split, args.scenes, args.images);
   const std::vector<BopTarget> targets = loadTargets(args, split);
@@ -256,9 +259,16 @@ int main(int argc, char** argv) {
       ->expected(1, 5);
   app.add_option("--scale", args.scale, "resize images and camera by this factor")->capture_default_str();
   app.add_option("--options", args.options, "YAML of recognition options")->check(CLI::ExistingFile);
+  app.add_option("--decision", args.decision, "YAML of the decision's weights, as fit_decision writes it")
+      ->check(CLI::ExistingFile);
   app.add_option("--set", args.settings, "one option, KEY=VALUE or GROUP.KEY=VALUE; may be repeated")
       ->expected(1)
       ->take_all();
+  app.add_option(
+         "--proposals", args.proposals,
+         "dump of an earlier run: its poses are judged again instead of searching, in a fraction of the "
+         "time")
+      ->check(CLI::ExistingFile);
   app.add_flag("--all", args.all, "write rejected candidates too");
   app.add_option("--out", args.out, "results file R.csv; R.times.csv is written beside it")->required();
   app.add_option("--dump", args.dump,

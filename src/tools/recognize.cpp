@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string objects, camera, only, json, overlay, explain, figures, options;
+  std::string objects, camera, only, json, overlay, explain, figures, options, decision;
   std::vector<std::string> settings, images;
   double budget = -1;
   int work = -1;
@@ -35,7 +35,7 @@ RecognitionOptions effectiveOptions(const Arguments& args) {
   std::vector<std::string> settings = args.settings;
   if (args.budget >= 0) settings.push_back("time_limit=" + std::to_string(args.budget));
   if (args.work >= 0) settings.push_back("budget=" + std::to_string(args.work));
-  return recognitionOptions(args.options, settings);
+  return recognitionOptions(args.options, settings, args.decision);
 }
 
 std::vector<std::string> allImages(const std::vector<std::string>& arguments) {
@@ -181,6 +181,8 @@ int main(int argc, char** argv) {
                  "folder for the scene, line groups, ellipses and a back-projection per object as pictures; "
                  "DIR/<image> for several");
   app.add_option("--options", args.options, "YAML of recognition options, or config/recognizer.yaml");
+  app.add_option("--decision", args.decision, "YAML of the decision's weights, as fit_decision writes it")
+      ->check(CLI::ExistingFile);
   app.add_option("--set", args.settings, "one option, KEY=VALUE or GROUP.KEY=VALUE; may be repeated")
       ->expected(1)
       ->take_all();

@@ -58,6 +58,8 @@ Json objectJson(const ObjectEstimate& object, const ModelBase& models) {
   const cv::Rect& box = object.bounding_box;
   out["bounding_box"] = {box.x, box.y, box.width, box.height};
   out["reason"] = object.reason;
+  out["spoke_for"] = object.spoke_for;
+  out["spoke_against"] = object.spoke_against;
   out["evidence"] = object.evidence;
   out["alternatives"] = Json::array();
   for (const Alternative& alternative : object.alternatives)

@@ -33,9 +33,10 @@ int runTool(const std::string& name, const std::function<int()>& body) {
   }
 }
 
-RecognitionOptions recognitionOptions(const std::string& yaml_path,
-                                      const std::vector<std::string>& settings) {
+RecognitionOptions recognitionOptions(const std::string& yaml_path, const std::vector<std::string>& settings,
+                                      const std::string& decision_path) {
   RecognitionOptions options;
+  if (!decision_path.empty()) options.decision = loadOptions<DecisionWeights>(decision_path);
   if (!yaml_path.empty()) {
     const OptionTree tree = loadYaml(yaml_path);
     const OptionTree* of_node = tree.find("recognition");

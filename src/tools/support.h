@@ -19,8 +19,10 @@ bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code);
 int runTool(const std::string& name, const std::function<int()>& body);
 
 /// The defaults, then the file ("" = none), then `settings` of the form a.b=value. A file that has the key
-/// `recognition` (the node's parameters, config/recognizer.yaml) gives what stands there. Throws BadInput.
-RecognitionOptions recognitionOptions(const std::string& yaml_path, const std::vector<std::string>& settings);
+/// `recognition` (the node's parameters, config/recognizer.yaml) gives what stands there. `decision_path`:
+/// weights of the decision as fit_decision writes them ("" = none). Throws BadInput.
+RecognitionOptions recognitionOptions(const std::string& yaml_path, const std::vector<std::string>& settings,
+                                      const std::string& decision_path = "");
 
 /// A counter on stderr: one line that is rewritten on a terminal, else a line now and then.
 class Progress {

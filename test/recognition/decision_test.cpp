@@ -2,8 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <limits>
 #include <numeric>
+#include <set>
+
 #include <random>
+#include "monocular_eye_hand/geometry/error.h"
 
 #include "monocular_eye_hand/options/options.h"
 
@@ -15,38 +20,21 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 
-struct Term {
-  const char* name;
-  double DecisionWeights::*weight;
-  double EvidenceTerms::*value;
-};
-const Term kTerms[] = {
-    {"log_sum", &DecisionWeights::log_sum, &EvidenceTerms::sum},
-    {"mean", &DecisionWeights::mean, &EvidenceTerms::mean},
-    {"hit_ratio", &DecisionWeights::hit_ratio, &EvidenceTerms::hit_ratio},
-    {"silhouette_hits", &DecisionWeights::silhouette_hits, &EvidenceTerms::silhouette_hits},
-    {"crease_hits", &DecisionWeights::crease_hits, &EvidenceTerms::crease_hits},
-    {"log_groups", &DecisionWeights::log_groups, &EvidenceTerms::groups},
-    {"unsupported", &DecisionWeights::unsupported, &EvidenceTerms::unsupported},
-    {"unsupported_length", &DecisionWeights::unsupported_length, &EvidenceTerms::unsupported_length},
-    {"continuation", &DecisionWeights::continuation, &EvidenceTerms::continuation},
-    {"overhang", &DecisionWeights::overhang, &EvidenceTerms::overhang},
-    {"interior", &DecisionWeights::interior, &EvidenceTerms::interior},
-    {"solidity", &DecisionWeights::solidity, &EvidenceTerms::solidity},
-    {"log_faces", &DecisionWeights::log_faces, &EvidenceTerms::faces},
-    {"log_size", &DecisionWeights::log_size, &EvidenceTerms::size},
-    {"log_contrast", &DecisionWeights::log_contrast, &EvidenceTerms::contrast},
-    {"in_frame", &DecisionWeights::in_frame, &EvidenceTerms::in_frame},
-    {"rms", &DecisionWeights::rms, &EvidenceTerms::rms},
-};
-
-// All weights 0 but for those named.
-DecisionWeights onlyWeight(double DecisionWeights::*weight, double value) {
+DecisionWeights onlyWeight(size_t term, double weight) {
   DecisionWeights weights;
-  weights.bias = 0;
-  for (const Term& t : kTerms) weights.*t.weight = 0;
-  weights.*weight = value;
+  weights.terms[term].weight = weight;
   return weights;
+}
+
+// The middle of what the terms are bounded to.
+EvidenceTerms middleTerms(double share) {
+  EvidenceTerms t;
+  t.visit([&](const char*, double& value) { value = share; });
+  for (double* count :
+       {&t.sum, &t.groups, &t.faces, &t.inner_found, &t.contrast, &t.rel_contrast, &t.blur, &t.complexity})
+    *count = 1 + 4 * share;
+  t.size = 20 + 100 * share;
+  return t;
 }
 
 // What a well seen object looks like.
@@ -55,44 +43,101 @@ EvidenceTerms goodTerms() {
   t.sum = 120, t.mean = 1.6, t.hit_ratio = 0.95, t.silhouette_hits = 0.96, t.crease_hits = 0.93;
   t.groups = 16, t.unsupported = 0.03, t.unsupported_length = 0.01, t.continuation = 0.02, t.overhang = 0.05;
   t.interior = 0.02, t.solidity = 0.9, t.faces = 5, t.size = 100, t.contrast = 8, t.in_frame = 1, t.rms = 0.4;
+  t.claimed_ratio = 0.98, t.slant = 0.005, t.linked = 0.95, t.jitter = 0.2, t.run = 0.3, t.polarity = 0.98;
+  t.blur = 1.2, t.rel_contrast = 1.2, t.outline_hits = 0.96, t.inner_share = 0.5, t.inner_hits = 0.93;
+  t.inner_features = 8, t.inner_found = 8, t.features_found = 1, t.chance = 0.2, t.chance_mean = 0.1;
+  t.chance_inner = 0.1, t.excess = 1.5, t.repeated = 0.2, t.view_area = 0.8, t.extent = 0.9,
+  t.complexity = 1.8;
   return t;
 }
 
-TEST(Probability, each_weight_moves_it_by_its_own_term_in_the_direction_of_its_sign) {
-  EvidenceTerms low, high;
-  for (const Term& t : kTerms) low.*t.value = 0.2, high.*t.value = 0.3;
-  for (double EvidenceTerms::*count :
-       {&EvidenceTerms::sum, &EvidenceTerms::groups, &EvidenceTerms::faces, &EvidenceTerms::size})
-    low.*count = 4, high.*count = 8;
-  for (const Term& t : kTerms) {
-    EvidenceTerms more = low;
-    more.*t.value = high.*t.value;
-    const DecisionWeights plus = onlyWeight(t.weight, 2), minus = onlyWeight(t.weight, -2);
-    EXPECT_GT(probability(more, plus), probability(low, plus)) << t.name;
-    EXPECT_LT(probability(more, minus), probability(low, minus)) << t.name;
-    EvidenceTerms others = high;
-    others.*t.value = low.*t.value;
-    EXPECT_EQ(probability(others, plus), probability(low, plus)) << t.name << " depends on another term";
+TEST(DecisionTerms, have_names_of_their_own_and_words) {
+  std::set<std::string> names, words;
+  for (const DecisionTerm& term : decisionTerms()) {
+    names.insert(term.name);
+    words.insert(term.words);
   }
-  EXPECT_EQ(writeOptions(DecisionWeights{}).map.size(), std::size(kTerms) + 1) << "a weight is not tested";
+  EXPECT_EQ(names.size(), decisionTerms().size());
+  EXPECT_EQ(words.size(), decisionTerms().size());
+}
+
+TEST(DecisionTerms, grow_with_their_evidence_and_are_bounded) {
+  const std::vector<double> low = decisionValues(middleTerms(0.2)), high = decisionValues(middleTerms(0.3));
+  EvidenceTerms huge;
+  huge.visit([](const char*, double& value) { value = 1e9; });
+  const std::vector<double> most = decisionValues(huge);
+  for (size_t k = 0; k < low.size(); ++k) {
+    EXPECT_GT(high[k], low[k]) << decisionTerms()[k].name;
+    if (std::string(decisionTerms()[k].name).rfind("log_", 0) == 0) {
+      EXPECT_LT(most[k], std::log(1000)) << decisionTerms()[k].name << " is not bounded";
+    }
+  }
+}
+
+TEST(Probability, each_weight_moves_it_by_its_own_term_in_the_direction_of_its_sign) {
+  for (size_t k = 0; k < decisionTerms().size(); ++k) {
+    const EvidenceTerms low = middleTerms(0.2), high = middleTerms(0.3);
+    EXPECT_GT(probability(high, onlyWeight(k, 2)), probability(low, onlyWeight(k, 2)))
+        << decisionTerms()[k].name;
+    EXPECT_LT(probability(high, onlyWeight(k, -2)), probability(low, onlyWeight(k, -2)))
+        << decisionTerms()[k].name;
+  }
 }
 
 TEST(Probability, of_the_fitted_weights_separates_a_good_from_an_empty_pose) {
-  const DecisionWeights weights;
-  EXPECT_GT(probability(goodTerms(), weights), 0.9);
+  EXPECT_GT(probability(goodTerms(), fittedWeights()), 0.9);
   EvidenceTerms empty;
-  empty.unsupported = empty.unsupported_length = 1, empty.in_frame = 1, empty.rms = 2, empty.size = 60;
-  EXPECT_LT(probability(empty, weights), 0.01);
+  empty.unsupported = empty.unsupported_length = empty.outline_bare = empty.inner_bare = 1;
+  empty.in_frame = 1;
+  empty.rms = 2;
+  empty.size = 60;
+  EXPECT_LT(probability(empty, fittedWeights()), 0.01);
 }
 
 TEST(Probability, stays_between_0_and_1_for_any_finite_terms) {
   for (double scale : {-1e6, -1.0, 0.0, 1e6}) {
     EvidenceTerms t;
-    for (const Term& term : kTerms) t.*term.value = scale;
-    const double p = probability(t, DecisionWeights{});
+    t.visit([&](const char*, double& value) { value = scale; });
+    const double p = probability(t, fittedWeights());
     EXPECT_GE(p, 0) << scale;
     EXPECT_LE(p, 1) << scale;
   }
+}
+
+TEST(FittedWeights, are_those_of_the_shipped_file_and_tell_their_source) {
+  const auto file =
+      loadOptions<DecisionWeights>(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/decision.yaml");
+  EXPECT_EQ(writeOptions(file), writeOptions(fittedWeights()));
+  EXPECT_FALSE(fittedWeights().source.empty());
+  int used = 0;
+  for (const TermWeight& term : fittedWeights().terms) used += term.weight != 0;
+  EXPECT_GT(used, 10);
+}
+
+TEST(FittedWeights, that_are_not_finite_are_refused_by_name) {
+  DecisionWeights weights = fittedWeights();
+  weights.terms[0].weight = std::numeric_limits<double>::quiet_NaN();
+  try {
+    weights.check();
+    FAIL() << "not refused";
+  } catch (const BadInput& e) {
+    EXPECT_NE(std::string(e.what()).find(decisionTerms()[0].name), std::string::npos) << e.what();
+  }
+}
+
+TEST(Contributions, add_up_to_the_difference_from_a_typical_candidate) {
+  const DecisionWeights weights = fittedWeights();
+  std::vector<double> typical;
+  for (const TermWeight& term : weights.terms) typical.push_back(term.typical);
+  const std::vector<double> values = decisionValues(middleTerms(0.4));
+  const auto logit = [](double p) { return std::log(p / (1 - p)); };
+
+  const std::vector<TermContribution> all = contributions(values, weights);
+  double sum = 0;
+  for (const TermContribution& c : all) sum += c.log_odds;
+  EXPECT_NEAR(sum, logit(weights.probability(values)) - logit(weights.probability(typical)), 1e-6);
+  for (size_t k = 1; k < all.size(); ++k) EXPECT_GE(all[k - 1].log_odds, all[k].log_odds);
+  EXPECT_EQ(inWords({1, 0.5, 0.25, 1.5}), std::string(decisionTerms()[1].words) + " 0.25 (usually 1.50)");
 }
 
 TEST(RankScore, more_evidence_and_probability_lift_it_contradictions_lower_it) {

@@ -62,7 +62,7 @@ TEST(RecognitionOptions, nested_options_are_checked_and_named_by_their_path) {
 
 TEST(RecognitionOptions, unknown_keys_are_refused_with_the_nearest_known) {
   EXPECT_THAT(refusal("min_distence: 1"), AllOf(HasSubstr("min_distence"), HasSubstr("min_distance")));
-  EXPECT_THAT(refusal("decision: {hit_ration: 1}"),
+  EXPECT_THAT(refusal("decision: {hit_ration: {weight: 1}}"),
               AllOf(HasSubstr("decision.hit_ration"), HasSubstr("hit_ratio")));
   EXPECT_THAT(refusal("budget: many"), AllOf(HasSubstr("budget"), HasSubstr("many")));
 }

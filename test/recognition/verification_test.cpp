@@ -3,21 +3,10 @@
 #include <set>
 
 #include "recognition/constellation.h"
-#include "world.h"
+#include "verified.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-SearchImage looked(const cv::Mat& grey, const Camera& camera) {
-  return withEvidence(withFeatures(grey, camera, {}));
-}
-
-Candidate verified(const SearchImage& image, const SearchModel& model, const Rigid3& pose) {
-  Candidate candidate;
-  candidate.pose.camera_from_object = model.canonical(pose, &candidate.view);
-  verify(model, image, &candidate);
-  return candidate;
-}
 
 KnownObject knownBox(const std::string& name, const Eigen::Vector3d& size) {
   KnownObject object;
@@ -61,9 +50,9 @@ TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
     EXPECT_LT(wrong.hit_ratio, 0.6 * t.hit_ratio) << du << ", " << dv;
     EXPECT_LT(wrong.sum, 0.4 * t.sum) << du << ", " << dv;
     EXPECT_GT(wrong.unsupported, t.unsupported + 0.2) << du << ", " << dv;
-    EXPECT_LT(probability(wrong, DecisionWeights{}), 0.2) << du << ", " << dv;
+    EXPECT_LT(probability(wrong, fittedWeights()), 0.2) << du << ", " << dv;
   }
-  EXPECT_GT(probability(t, DecisionWeights{}), 0.5);
+  EXPECT_GT(probability(t, fittedWeights()), 0.5);
 }
 
 TEST_P(OnGolden, says_which_edge_points_and_cells_it_takes) {
@@ -134,7 +123,7 @@ TEST_F(Bars, edges_that_run_on_contradict_the_short_box) {
   EXPECT_LT(right.overhang, 0.1);
   EXPECT_GT(wrong.continuation, 0.15);
   EXPECT_GT(wrong.overhang, right.overhang + 0.2);
-  EXPECT_LT(probability(wrong, DecisionWeights{}), probability(right, DecisionWeights{}));
+  EXPECT_LT(probability(wrong, fittedWeights()), probability(right, fittedWeights()));
 }
 
 TEST_F(Bars, patterned_faces_carry_edges_that_the_model_does_not_explain) {

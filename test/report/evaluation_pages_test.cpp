@@ -182,7 +182,7 @@ TEST_F(EvaluationPages, an_object_beyond_a_limit_is_told_as_such) {
   EvaluatedRun limited = run();
   limited.limits.min_distance = 0.6;
   EXPECT_THAT(readFile(writeMissesPage(folder_, limited)),
-              HasSubstr("nearer than min_distance: 0.501 m of 0.6 m"));
+              HasSubstr("nearer than min_distance: 0.492 m of 0.6 m"));
   // The box is moved until its middle lies on the image's border.
   split_.images[1].truth[0].camera_from_object = pose(0.23);
   EvaluatedRun half = run();

@@ -20,6 +20,8 @@ class ErrorMeter {
   /// `symmetry_step` as in discretized(). Keeps a reference to `models`.
   ErrorMeter(const BopModels& models, double symmetry_step);
   const BopModel& model(int object) const;
+  /// adi() as a share of the diameter.
+  double closestDistance(const GroundTruth& truth, const Rigid3& estimate) const;
   PoseErrors measure(const BopImage& image, const GroundTruth& truth, const Rigid3& estimate) const;
 
  private:

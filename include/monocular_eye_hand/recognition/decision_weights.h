@@ -1,50 +1,57 @@
 #pragma once
+#include <string>
+#include <vector>
+
+#include "monocular_eye_hand/recognition/decision_terms.h"
 
 namespace monocular_eye_hand {
 
-/// Weights of the evidence terms in the log-odds that a candidate is right. They were fitted by logistic
-/// regression on candidates from rendered training scenes (benchmark/fit_decision.py); see docs/pipeline.md.
-struct DecisionWeights {
-  double bias = -18.66;
-  double log_sum = 0.148;
-  double mean = 1.681;
-  double hit_ratio = -2.441;
-  double silhouette_hits = -1.194;
-  double crease_hits = 0.389;
-  double log_groups = -0.645;
-  double unsupported = -5.443;
-  double unsupported_length = -4.326;
-  double continuation = -3.997;
-  double overhang = -6.987;
-  double interior = -2.007;
-  double solidity = -2.066;
-  double log_faces = 3.949;
-  double log_size = 3.104;
-  double log_contrast = -0.075;
-  double in_frame = 7.275;
-  double rms = -3.634;
+/// How much a term of the decision counts.
+struct TermWeight {
+  double weight = 0;   ///< log-odds per unit of the term
+  double typical = 0;  ///< mean of the term over the right candidates of the fit
 
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("bias", bias);
-    v("log_sum", log_sum);
-    v("mean", mean);
-    v("hit_ratio", hit_ratio);
-    v("silhouette_hits", silhouette_hits);
-    v("crease_hits", crease_hits);
-    v("log_groups", log_groups);
-    v("unsupported", unsupported);
-    v("unsupported_length", unsupported_length);
-    v("continuation", continuation);
-    v("overhang", overhang);
-    v("interior", interior);
-    v("solidity", solidity);
-    v("log_faces", log_faces);
-    v("log_size", log_size);
-    v("log_contrast", log_contrast);
-    v("in_frame", in_frame);
-    v("rms", rms);
+    v("weight", weight);
+    v("typical", typical);
   }
 };
+
+/// Weights of the evidence in the log-odds that a candidate is right: a logistic regression. They belong
+/// together: change all of them by a new fit (tool fit_decision), or none.
+struct DecisionWeights {
+  std::string source;  ///< when and on what they were fitted
+  double bias = 0;
+  std::vector<TermWeight> terms = std::vector<TermWeight>(decisionTerms().size());  ///< as decisionTerms()
+
+  /// Probability that a candidate with these values (decisionValues) is right.
+  double probability(const std::vector<double>& values) const;
+
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("source", source);
+    v("bias", bias);
+    for (size_t k = 0; k < terms.size(); ++k) v(decisionTerms()[k].name, terms[k]);
+  }
+  void check() const;  ///< throws BadInput naming a weight that is not finite
+};
+
+/// What a term adds to the log-odds of a candidate, compared with a typical right one.
+struct TermContribution {
+  int term = 0;  ///< decisionTerms()
+  double log_odds = 0;
+  double value = 0, typical = 0;
+};
+
+/// The contributions of all terms, what speaks for the candidate first.
+std::vector<TermContribution> contributions(const std::vector<double>& values,
+                                            const DecisionWeights& weights);
+
+/// "share of the contour with an edge under it 0.31 (usually 0.88)"
+std::string inWords(const TermContribution& contribution);
+
+/// config/decision.yaml as it was when the package was built.
+DecisionWeights fittedWeights();
 
 }  // namespace monocular_eye_hand

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct ObjectEstimate {
   std::string symmetry;    ///< "", "2 equal poses", "free about z axis (0, 0, 1) through ...", for people
   bool free_axis = false;  ///< rotation about the model's symmetry axis cannot be seen
   std::string reason;      ///< why accepted, rejected or ambiguous
+  /// The terms that spoke most for and against it, in words with their values, the strongest first.
+  std::vector<std::string> spoke_for, spoke_against;
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
 };
 
@@ -89,11 +92,19 @@ struct RecognitionResult {
   std::vector<Grouping> groupings;
 };
 
+/// A pose that somebody else proposes.
+struct PoseProposal {
+  int object = -1;  ///< ModelBase::objects
+  Rigid3 camera_from_object;
+};
+
 /// What to look for in one image.
 struct RecognitionRequest {
   /// Name of the one object wanted ("": all); the search stops at the first plausible and reliable match.
   std::string only;
   std::vector<ObjectEstimate> previous;  ///< last frame's objects: equal poses are reported nearest to these
+  /// Poses to decide on instead of searching: moved onto the edges and judged as what a search finds.
+  std::optional<std::vector<PoseProposal>> proposals;
   bool judged = false;  ///< fill RecognitionResult::judged, for fitting and studying decisions; costs time
 };
 

@@ -9,7 +9,7 @@ namespace monocular_eye_hand {
 struct RecognitionOptions {
   FeatureOptions features;
   GroupingOptions grouping;
-  DecisionWeights decision;
+  DecisionWeights decision = fittedWeights();
   double min_distance = 0.25;  ///< nearest object centre considered [m]
   double max_distance = 2.5;   ///< farthest object centre considered [m]
   double min_size = 32.0;      ///< smallest image of an object's diameter considered [px]

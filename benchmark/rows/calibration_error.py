@@ -1,0 +1,37 @@
+"""Expected calibration error of the probabilities over all judged candidates, ten bins of equal mass."""
+import csv
+
+from figures import Figure
+
+RENDERED = (("workcell", "dev"), ("industrial", "dev"))
+REAL = (("real/cabinet", "test"), ("real/cube", "test"), ("real_parts/steel_block", "test"),
+        ("real_parts/steel_keys", "test"), ("real_parts/teabox", "test"))
+RIGHT_PX = 10  # image distance (MSPD) below which a pose is right
+BINS = 10
+
+
+def candidates(bench, sets):
+    """(probability, right) of every judged candidate."""
+    pairs = []
+    for dataset, split in sets:
+        with open(bench.dump(dataset, split), newline="", encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                error = float(row["mspd_px"]) if row["mspd_px"] else float("inf")
+                pairs.append((float(row["probability"]), error < RIGHT_PX))
+    return sorted(pairs)
+
+
+def calibration_error(pairs):
+    error = 0
+    for k in range(BINS):
+        part = pairs[len(pairs) * k // BINS:len(pairs) * (k + 1) // BINS]
+        error += abs(sum(p for p, _ in part) - sum(right for _, right in part))
+    return error / len(pairs)
+
+
+def figures(bench):
+    for name, sets, target in (("rendered, parts not in the fit", RENDERED, "<= 0.04"),
+                               ("camera images", REAL, "<= 0.08")):
+        pairs = candidates(bench, sets)
+        yield Figure(f"calibration error, {name}", calibration_error(pairs), "0..1", target,
+                     conditions=f"{len(pairs)} candidates, {sum(right for _, right in pairs)} right")

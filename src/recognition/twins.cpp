@@ -1,0 +1,65 @@
+#include "recognition/twins.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "monocular_eye_hand/model/equal_poses.h"
+#include "recognition/alignment.h"
+#include "recognition/judging.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kWorthTwins =
+    0.1;                          // probability from which a candidate may still be reported, or its twin be
+constexpr double kFlat = 0.5;     // thickness over the next larger extent of a part that tilts either way
+constexpr double kMinTilt = 0.1;  // a smaller one is none [rad]
+
+// The pose whose flat side is tilted the other way: its image is nearly the same from far away.
+std::optional<Rigid3> tiltedBack(const ObjectModel& model, const Rigid3& pose) {
+  const Eigen::Vector3d extent = model.bounds.sizes();
+  Eigen::Index thinnest;
+  extent.minCoeff(&thinnest);
+  const double next = std::min(extent[(thinnest + 1) % 3], extent[(thinnest + 2) % 3]);
+  if (extent[thinnest] > kFlat * next) return std::nullopt;
+
+  const Eigen::Vector3d centre = pose * model.centre();
+  const Eigen::Vector3d view = centre.normalized(), normal = pose.rotation.col(thinnest);
+  const Eigen::Vector3d axis = normal.cross(view);
+  const double sine = axis.norm();
+  if (sine < std::sin(kMinTilt)) return std::nullopt;
+  const double tilt = std::asin(std::min(1.0, sine));
+  const double side = normal.dot(view) > 0 ? 1 : -1;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(2 * side * tilt, axis / sine).toRotationMatrix();
+  return Rigid3{turn * pose.rotation, centre + turn * (pose.translation - centre)};
+}
+
+std::vector<Rigid3> twinPoses(const SearchModel& model, const Rigid3& pose) {
+  std::vector<Rigid3> twins;
+  for (const Rigid3& motion : model.boxTurns()) twins.push_back(pose * motion);
+  if (const std::optional<Rigid3> back = tiltedBack(model.model(), pose)) twins.push_back(*back);
+  return twins;
+}
+
+}  // namespace
+
+std::vector<Candidate> addTwins(const SearchTask& task, std::vector<Candidate> candidates,
+                                const std::vector<Explanation>& chosen, StageLog* log) {
+  return log->timed("twins", [&](StageReport* report) {
+    for (const Explanation& explanation : chosen) {
+      const int object = candidates[explanation.candidate].object;
+      const Rigid3 pose = candidates[explanation.candidate].pose.camera_from_object;
+      if (candidates[explanation.candidate].probability < kWorthTwins) continue;
+      for (const Rigid3& twin : twinPoses(task.models[object], pose)) {
+        std::optional<Candidate> candidate = alignedCandidate(task, object, twin, kFineRanges, candidates);
+        report->counts["verified"] += candidate.has_value();
+        if (candidate && bearsOut(task, &*candidate)) candidates.push_back(std::move(*candidate));
+      }
+    }
+    return std::move(candidates);
+  });
+}
+
+}  // namespace monocular_eye_hand

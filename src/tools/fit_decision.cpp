@@ -1,0 +1,182 @@
+// Fits the weights of the decision to candidates with known truth.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "csv_table.h"
+#include "decision_fit.h"
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/options/options.h"
+#include "support.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> dumps;
+  std::string out, source;
+  DecisionFitOptions fit;
+  double undecidable = 0.06;
+};
+
+struct Material {
+  std::vector<JudgedSample> samples;
+  int left_out = 0;  // wrong ones that no image tells from the truth
+};
+
+// Columns of a dump that hold evidence terms.
+std::map<std::string, int> termColumns(const CsvTable& table) {
+  std::map<std::string, int> columns;
+  for (const auto& term : EvidenceTerms().named()) columns[term.first] = table.column(term.first);
+  return columns;
+}
+
+void readDump(const std::string& path, double undecidable, Material* material) {
+  const CsvTable table(path);
+  const std::map<std::string, int> terms = termColumns(table);
+  const int scene = table.column("scene_id"), image = table.column("im_id"), name = table.column("name");
+  const int truth = table.column("gt_id"), error = table.column("mspd_px"), adi = table.column("adi_d");
+  const int index = table.column("candidate"), conflicts = table.column("conflicts");
+  const int rank = table.column("rank_score"), probability = table.column("probability");
+  for (size_t row = 0; row < table.rows(); ++row) {
+    JudgedSample sample;
+    sample.image = path + " " + table.text(row, scene) + " " + table.text(row, image);
+    sample.part = table.text(row, name);
+    sample.right = !table.text(row, error).empty() && table.number(row, error) < kRightPixels;
+    if (sample.right) sample.truth = table.text(row, truth);
+    if (!sample.right && table.number(row, adi, 1) < undecidable) {
+      ++material->left_out;
+      continue;
+    }
+
+    sample.index = int(table.number(row, index));
+    std::istringstream list(table.text(row, conflicts));
+    for (int other = 0; list >> other;) sample.conflicts.push_back(other);
+    sample.rank_base = table.number(row, rank) / (table.number(row, probability) + 0.05);
+    std::map<std::string, double> named;
+    for (const auto& [term, column] : terms) named[term] = table.number(row, column);
+    sample.values = decisionValues(evidenceTerms(named));
+    material->samples.push_back(std::move(sample));
+  }
+}
+
+void printReliability(const std::vector<double>& probabilities, const std::vector<JudgedSample>& samples) {
+  std::printf("probability   candidates   mean   right   (parts left out in turn)\n");
+  const double edges[] = {0, 0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0001};
+  for (size_t k = 0; k + 1 < std::size(edges); ++k) {
+    double sum = 0, right = 0;
+    int count = 0;
+    for (size_t i = 0; i < samples.size(); ++i) {
+      if (probabilities[i] < edges[k] || probabilities[i] >= edges[k + 1]) continue;
+      ++count;
+      sum += probabilities[i];
+      right += samples[i].right;
+    }
+    if (count)
+      std::printf("%.2f - %.2f   %10d  %.3f   %.3f\n", edges[k], std::min(1.0, edges[k + 1]), count,
+                  sum / count, right / count);
+  }
+  std::printf("expected calibration error %.4f\n", calibrationError(probabilities, samples));
+}
+
+void printWeights(const DecisionWeights& weights, const std::vector<JudgedSample>& samples) {
+  const size_t terms = weights.terms.size();
+  std::vector<double> spread(terms, 0);
+  for (size_t k = 0; k < terms; ++k) {
+    double sum = 0, squares = 0;
+    for (const JudgedSample& sample : samples) {
+      sum += sample.values[k];
+      squares += sample.values[k] * sample.values[k];
+    }
+    const double mean = sum / double(samples.size());
+    spread[k] = std::sqrt(std::max(0.0, squares / double(samples.size()) - mean * mean));
+  }
+
+  std::vector<size_t> order(terms);
+  std::iota(order.begin(), order.end(), size_t(0));
+  const auto strength = [&](size_t k) { return std::abs(weights.terms[k].weight) * spread[k]; };
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return strength(a) > strength(b); });
+  std::printf("log-odds per standard deviation:\n");
+  for (size_t k : order)
+    std::printf("  %+.2f  %s\n", weights.terms[k].weight * spread[k], decisionTerms()[k].name);
+}
+
+void printChosen(const std::vector<double>& left_out, const std::vector<JudgedSample>& samples) {
+  int accepted = 0, right = 0;
+  std::set<std::pair<std::string, std::string>> found, there;
+  for (const JudgedSample& sample : samples)
+    if (sample.right) there.insert({sample.image, sample.truth});
+  for (size_t i : chosenSamples(samples, left_out)) {
+    if (left_out[i] < 0.5) continue;
+    ++accepted;
+    right += samples[i].right;
+    if (samples[i].right) found.insert({samples[i].image, samples[i].truth});
+  }
+  std::printf(
+      "of the chosen at 0.5 and above, before their calibration: %d right of %d; %zu of %zu instances that "
+      "have a right candidate\n",
+      right, accepted, found.size(), there.size());
+}
+
+int fitDecisionTool(const Arguments& args) {
+  Material material;
+  for (const std::string& dump : args.dumps) readDump(dump, args.undecidable, &material);
+  const auto right = std::count_if(material.samples.begin(), material.samples.end(),
+                                   [](const JudgedSample& s) { return s.right; });
+  std::printf("%zu candidates, %ld right; %d wrong ones left out that no image tells from the truth\n",
+              material.samples.size(), long(right), material.left_out);
+
+  const std::vector<double> left_out = probabilitiesLeftOut(material.samples, args.fit);
+  DecisionWeights weights =
+      calibratedOnChosen(fitDecision(material.samples, args.fit), material.samples, left_out);
+  weights.source = args.source;
+  printWeights(weights, material.samples);
+  printReliability(left_out, material.samples);
+  printChosen(left_out, material.samples);
+
+  std::ofstream file(args.out);
+  file
+      << "# Weights of the evidence in the log-odds that a candidate is right, written by fit_decision. They "
+         "belong\n"
+         "# together. weight: per unit of the term; typical: its mean over the right candidates of the fit.\n"
+      << toYaml(writeOptions(weights));
+  file.close();
+  if (!file) throw BadInput(args.out + ": cannot be written");
+  std::printf("written: %s\n", args.out.c_str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
+
+int main(int argc, char** argv) {
+  using namespace monocular_eye_hand;
+  Arguments args;
+  CLI::App app(
+      "Fits the weights of the decision to dumps of `evaluate --dump`, scenes of your own parts for example. "
+      "The file it writes is given to the tools by --decision, to the node by its parameter "
+      "recognition/decision.",
+      "fit_decision");
+  app.add_option("dumps", args.dumps, "CSV files of evaluate --dump")->required()->check(CLI::ExistingFile);
+  app.add_option("--out", args.out, "YAML of the weights")->required();
+  app.add_option("--source", args.source, "when and on what they were fitted, kept in the file");
+  app.add_option("--ridge", args.fit.ridge, "penalty on the weights of standardised terms")
+      ->capture_default_str();
+  app.add_option("--folds", args.fit.folds, "groups of parts that are left out in turn for the reliability")
+      ->capture_default_str();
+  app.add_option(
+         "--undecidable", args.undecidable,
+         "wrong poses whose surface lies nearer than this to the true one's, as a share of the diameter, "
+         "are left out of the fit")
+      ->capture_default_str();
+  int exit_code = 0;
+  if (!parseArguments(&app, argc, argv, &exit_code)) return exit_code;
+  return runTool("fit_decision", [&] { return fitDecisionTool(args); });
+}

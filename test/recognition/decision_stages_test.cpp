@@ -1,0 +1,166 @@
+// What stands between the search and the verdict: proposals, twins, hidden parts, the full size of an image.
+#include <opencv2/imgproc.hpp>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "recognition/judging.h"
+#include "recognition/occlusion.h"
+#include "recognition/twins.h"
+#include "verified.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+int indexOf(const std::string& name) { return shippedModels().indexOf(name); }
+
+RecognitionRequest proposing(const std::string& name, const Rigid3& pose) {
+  RecognitionRequest request;
+  request.proposals = std::vector<PoseProposal>{{indexOf(name), pose}};
+  return request;
+}
+
+TEST(Proposals, are_judged_instead_of_searching) {
+  const Picture picture = shippedPicture("golden/bracket");
+  const Rigid3 truth = picture.truth.at(0).camera_from_object;
+  Rigid3 near = truth;
+  near.translation.x() += 0.001;
+  const RecognitionResult result =
+      shippedRecognizer().recognize(picture.grey, picture.camera, proposing("bracket", near));
+  ASSERT_EQ(result.objects.size(), 1u) << listed(result);
+  EXPECT_LT(
+      poseError(shippedModel("bracket"), picture.camera, result.objects[0].camera_from_object, truth).image,
+      2);
+  for (const StageReport& stage : result.stages) EXPECT_NE(stage.name, "hypotheses from groupings");
+}
+
+TEST(Proposals, that_nothing_bears_out_are_not_reported) {
+  const Picture picture = shippedPicture("golden/bracket");
+  Rigid3 away = picture.truth.at(0).camera_from_object;
+  away.translation.x() += 0.12;
+  EXPECT_THAT(shippedRecognizer().recognize(picture.grey, picture.camera, proposing("bracket", away)).objects,
+              testing::IsEmpty());
+  RecognitionRequest none;
+  none.proposals.emplace();
+  EXPECT_THAT(shippedRecognizer().recognize(picture.grey, picture.camera, none).objects, testing::IsEmpty());
+}
+
+TEST(Proposals, of_an_unknown_object_are_refused) {
+  const Picture picture = shippedPicture("golden/bracket");
+  RecognitionRequest request;
+  request.proposals = std::vector<PoseProposal>{{17, Rigid3{}}};
+  EXPECT_THROW(shippedRecognizer().recognize(picture.grey, picture.camera, request), BadInput);
+}
+
+TEST(BoxTurns, leave_the_box_where_it_is_and_are_no_symmetries) {
+  const auto frame = size_t(indexOf("frame"));
+  EXPECT_THAT(SearchModel(shippedModels().objects.at(frame)).boxTurns(), testing::IsEmpty())
+      << "all its half turns are symmetries";
+  for (const char* name : {"bridge", "grenade", "flange", "bracket"}) {
+    const SearchModel model(shippedModels().objects.at(size_t(indexOf(name))));
+    const Symmetries& symmetries = model.model().symmetries;
+    EXPECT_GE(model.boxTurns().size(), 1u) << name;
+    for (const Rigid3& turn : model.boxTurns()) {
+      EXPECT_LT((turn * model.model().centre() - model.model().centre()).norm(), 1e-9) << name;
+      const Rigid3 equal = nearestEqualPose(model.model(), turn, Rigid3{});
+      EXPECT_GT(angleBetween(equal.rotation, Eigen::Matrix3d::Identity()), 0.1)
+          << name << " has this symmetry";
+    }
+    if (symmetries.axis) {
+      EXPECT_EQ(model.boxTurns().size(), 1u) << name << ": only the flip is a twin";
+    }
+  }
+}
+
+TEST(Twins, of_a_pose_that_is_wrong_by_a_half_turn_the_right_one_is_found) {
+  const Picture picture = shippedPicture("golden/bracket");
+  const ObjectModel& bracket = shippedModel("bracket");
+  const Rigid3 truth = picture.truth.at(0).camera_from_object;
+  const Rigid3 turned =
+      truth *
+      turnAbout(bracket.centre(), Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+
+  const RecognitionOptions options;
+  const SearchImage image = looked(picture.grey, picture.camera);
+  std::vector<SearchModel> models;
+  for (const KnownObject& object : shippedModels().objects) models.emplace_back(object);
+  const std::vector<int> wanted{indexOf("bracket")};
+  const SearchTask task{image, models, wanted, options};
+  Candidate wrong;
+  wrong.object = indexOf("bracket");
+  wrong.pose.camera_from_object = turned;
+  wrong.probability = 0.6;
+  StageLog log;
+  const std::vector<Candidate> all = addTwins(task, {wrong}, {Explanation{0, {}}}, &log);
+  ASSERT_GE(all.size(), 2u);
+  const bool found = std::any_of(all.begin() + 1, all.end(), [&](const Candidate& c) {
+    return poseError(bracket, picture.camera, c.pose.camera_from_object, truth).image < 3;
+  });
+  EXPECT_TRUE(found);
+
+  wrong.probability = 0.01;
+  EXPECT_EQ(addTwins(task, {wrong}, {Explanation{0, {}}}, &log).size(), 1u) << "not worth it";
+}
+
+// A bracket behind a box that hides a part of it.
+TEST(HiddenParts, are_not_held_against_what_lies_behind) {
+  const Rigid3 world_from_camera = lookFrom(-M_PI / 2, 0.45, 0.6, {0, 0, 0.03});
+  const Mesh box = boxMesh({0.03, 0.02, 0.05});
+  SceneObject before = standing("box", box);
+  before.world_from_object.translation = {-0.03, -0.08, 0};
+  Scene scene = plainScene({standing("bracket", shippedModel("bracket").mesh), before}, world_from_camera);
+  scene.table.material = {0.2, 0.0, 20, {}};
+  RenderOptions render;
+  render.shadows = false;
+  const SearchImage image = looked(renderScene(scene, testCamera(), render).grey, testCamera());
+
+  const ObjectModel box_model = buildModel("box", box);
+  const SearchModel bracket(shippedModels().objects.at(size_t(indexOf("bracket"))));
+  Candidate candidate;
+  candidate.pose.camera_from_object = bracket.canonical(world_from_camera.inverse(), &candidate.view);
+  verify(bracket, image, &candidate);
+  const EvidenceTerms seen = candidate.terms;
+  const Rigid3 camera_from_box = world_from_camera.inverse() * before.world_from_object;
+  candidate.occluders = {{&box_model, camera_from_box.inverse(), cv::Rect(0, 0, 640, 480)}};
+  verify(bracket, image, &candidate);
+  const EvidenceTerms excused = candidate.terms;
+
+  EXPECT_EQ(seen.hidden, 0);
+  EXPECT_GT(excused.hidden, 0.05);
+  EXPECT_LT(excused.hidden, 0.5);
+  EXPECT_GT(excused.hit_ratio, seen.hit_ratio + 0.03);
+  EXPECT_NEAR(excused.in_frame, 1, 1e-9);
+  EXPECT_GT(candidate.contour.size(), 0u);
+  EXPECT_TRUE(candidate.occluders[0].hides(
+      testCamera(), testCamera().project(camera_from_box * Eigen::Vector3d(0, 0, 0.025)), 2));
+  EXPECT_FALSE(candidate.occluders[0].hides(
+      testCamera(), testCamera().project(camera_from_box * Eigen::Vector3d(0, 0, 0.025)), 0.3));
+}
+
+RecognitionResult searchedAtHalfSize(const cv::Mat& grey, const Camera& camera) {
+  RecognitionOptions options;
+  options.search_width = camera.width / 2;
+  return Recognizer(someModels({"bracket"}), options).recognize(grey, camera);
+}
+
+TEST(FullSize, what_was_searched_at_half_size_is_decided_in_full) {
+  const Picture picture = shippedPicture("golden/bracket");
+  const Camera camera = picture.camera.resized(2);
+  Scene scene = plainScene({standing("bracket", shippedModel("bracket").mesh)},
+                           lookFrom(-1.1, 0.75, 0.45, {0, 0, 0.02}));
+  const cv::Mat sharp = renderScene(scene, camera).grey;
+  const RecognitionResult result = searchedAtHalfSize(sharp, camera);
+  ASSERT_EQ(result.objects.size(), 1u) << listed(result);
+  EXPECT_EQ(result.features.camera.width, camera.width / 2) << "the features are those of the search";
+  const double diameter = shippedModel("bracket").diameter * camera.fx /
+                          (result.objects[0].camera_from_object * shippedModel("bracket").centre()).norm();
+  EXPECT_NEAR(result.objects[0].evidence.at("diameter"), diameter, 1) << "not seen in full";
+
+  cv::Mat blurred;
+  cv::GaussianBlur(sharp, blurred, {}, 5);
+  const RecognitionResult small = searchedAtHalfSize(blurred, camera);
+  ASSERT_FALSE(small.objects.empty() && small.rejected.empty());
+  const ObjectEstimate& best = small.objects.empty() ? small.rejected[0] : small.objects[0];
+  EXPECT_GT(best.bounding_box.area(), 0);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
