@@ -17,7 +17,7 @@ constexpr int kMostSamples = 120;  // looked at per shift
 void chanceTerms(const SearchImage& image, Candidate* candidate) {
   const std::vector<SeenSample>& contour = candidate->contour;
   const size_t stride = 1 + contour.size() / kMostSamples;
-  double most = 0, most_inner = 0, sum = 0, sum_inner = 0, evidence = -1e9;
+  double most = 0, sum = 0, sum_inner = 0, evidence = -1e9;
   int shifts = 0, shared = 0, hits_of_all = 0;
   for (double reach : kShifts)
     for (int k = 0; k < kDirections; ++k) {
@@ -45,16 +45,17 @@ void chanceTerms(const SearchImage& image, Candidate* candidate) {
                                           int(std::lround(uv.y())) - image.map.v0());
         if (value != kOutside) nats += value / double(kEvidenceUnit);
       }
+
       if (looked < 10) continue;
       ++shifts;
       most = std::max(most, double(hits) / looked);
       sum += double(hits) / looked;
       evidence = std::max(evidence, nats / looked);
       if (inner >= 4) {
-        most_inner = std::max(most_inner, double(inner_hits) / inner);
         sum_inner += double(inner_hits) / inner;
       }
     }
+
   EvidenceTerms& terms = candidate->terms;
   terms.chance = most;
   terms.chance_mean = shifts ? sum / shifts : 0;

@@ -22,6 +22,7 @@ void crossingTerms(const SearchImage& image, Candidate* candidate) {
   for (const SeenSample& s : candidate->contour) {
     if (!s.inside || !s.outline || s.inward == 0) continue;
     ++outline;
+
     const Eigen::Vector2d inward = s.inward * Eigen::Vector2d(-s.direction.y(), s.direction.x());
     for (double along : {-1.0, 1.0}) {
       const Eigen::Vector2d uv = s.uv + kInside * inward + along * s.direction;
@@ -30,9 +31,11 @@ void crossingTerms(const SearchImage& image, Candidate* candidate) {
       const EdgePoint& p = points[size_t(index)];
       const Eigen::Vector2d normal = p.normal.cast<double>();
       if (std::abs(normal.dot(inward)) > kAcross) continue;  // runs along the outline
+
       const EdgeTrace& trace = image.features.traces[size_t(image.trace_of_point[size_t(index)])];
       const int first = std::max(trace.first, index - kReach);
       const int last = std::min(trace.first + trace.count - 1, index + kReach);
+
       bool through = false;
       for (int i : {first, last}) {
         const Eigen::Vector2d d = points[size_t(i)].uv.cast<double>() - s.uv;

@@ -40,12 +40,39 @@ EvidenceTerms middleTerms(double share) {
 // What a well seen object looks like.
 EvidenceTerms goodTerms() {
   EvidenceTerms t;
-  t.sum = 120, t.mean = 1.6, t.hit_ratio = 0.95, t.silhouette_hits = 0.96, t.crease_hits = 0.93;
-  t.groups = 16, t.unsupported = 0.03, t.unsupported_length = 0.01, t.continuation = 0.02, t.overhang = 0.05;
-  t.interior = 0.02, t.solidity = 0.9, t.faces = 5, t.size = 100, t.contrast = 8, t.in_frame = 1, t.rms = 0.4;
-  t.claimed_ratio = 0.98, t.slant = 0.005, t.linked = 0.95, t.jitter = 0.2, t.run = 0.3, t.polarity = 0.98;
-  t.blur = 1.2, t.rel_contrast = 1.2, t.outline_hits = 0.96, t.inner_share = 0.5, t.inner_hits = 0.93;
-  t.inner_features = 8, t.inner_found = 8, t.features_found = 1, t.chance = 0.2, t.chance_mean = 0.1;
+  t.sum = 120;
+  t.mean = 1.6;
+  t.hit_ratio = 0.95;
+  t.silhouette_hits = 0.96;
+  t.crease_hits = 0.93;
+  t.groups = 16;
+  t.unsupported = 0.03;
+  t.unsupported_length = 0.01;
+  t.continuation = 0.02;
+  t.overhang = 0.05;
+  t.interior = 0.02;
+  t.solidity = 0.9;
+  t.faces = 5;
+  t.size = 100;
+  t.contrast = 8;
+  t.in_frame = 1;
+  t.rms = 0.4;
+  t.claimed_ratio = 0.98;
+  t.slant = 0.005;
+  t.linked = 0.95;
+  t.jitter = 0.2;
+  t.run = 0.3;
+  t.polarity = 0.98;
+  t.blur = 1.2;
+  t.rel_contrast = 1.2;
+  t.outline_hits = 0.96;
+  t.inner_share = 0.5;
+  t.inner_hits = 0.93;
+  t.inner_features = 8;
+  t.inner_found = 8;
+  t.features_found = 1;
+  t.chance = 0.2;
+  t.chance_mean = 0.1;
   t.chance_inner = 0.1, t.excess = 1.5, t.repeated = 0.2, t.view_area = 0.8, t.extent = 0.9,
   t.complexity = 1.8;
   return t;
