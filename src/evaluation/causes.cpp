@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
+#include <regex>
 
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kNearMissError = 20;  // MSPD up to which a wrong pose is a near miss [px]
-constexpr double kSitsOn = 0.5;        // share of an outline on another that makes it sit there
-constexpr double kSamePlace = 0.5;     // intersection over union of two outlines in one place
+constexpr double kNearMissError = 20;  // MSPD up to which a wrong pose is nearly right [px]
+constexpr double kNearMissShare =
+    0.25;                           // ... and up to this share of the object's image: small ones turn in it
+constexpr double kSitsOn = 0.5;     // share of an outline on another that makes it sit there
+constexpr double kSamePlace = 0.5;  // intersection over union of two outlines in one place
+
+bool nearlyRight(double mspd, double size) { return mspd < kNearMissError && mspd < kNearMissShare * size; }
 
 using Hull = std::vector<cv::Point2f>;
 
@@ -59,17 +63,12 @@ std::string limitOf(const TruthOutcome& truth, const SearchLimits& limits, const
   return "";
 }
 
-// The first of the things said, its numbers left out: what can be counted.
+// The first of the things said, its numbers and what stands in brackets left out: what can be counted.
+// "hits 0.70 (usually 0.92); ..." -> "hits", "33 % of its corners" -> "\u2026 % of its corners".
 std::string withoutNumbers(const std::string& said) {
-  std::string out;
-  for (const char c : said.substr(0, said.find(';'))) {
-    if (!std::isdigit(static_cast<unsigned char>(c)))
-      out += c;
-    else if (out.empty() || out.back() != '#')
-      out += '#';
-  }
-  for (size_t at; (at = out.find('#')) != std::string::npos;) out.replace(at, 1, "\u2026");
-  return out;
+  static const std::regex brackets(" *\\([^)]*\\)"), number("[0-9]+([.][0-9]+)?"), last(" *\u2026$");
+  const std::string first = std::regex_replace(said.substr(0, said.find(';')), brackets, "");
+  return std::regex_replace(std::regex_replace(first, number, "\u2026"), last, "");
 }
 
 // "probability 0.3 below 0.5: edges run on; ..." -> what stands behind the colon.
@@ -87,14 +86,18 @@ std::string suppressor(const std::vector<JudgedPose>& judged, int index) {
          (by.fate == JudgedPose::kRejected ? " that was itself rejected" : "");
 }
 
-std::string causeOf(const MissedObject& missed, const std::vector<JudgedPose>& judged) {
+std::string causeOf(const MissedObject& missed, const std::vector<JudgedPose>& judged,
+                    const SearchLimits& limits) {
   if (!missed.limit.empty()) return "limit of the search: " + missed.limit.substr(0, missed.limit.find(':'));
   const LostAt& lost = missed.lost;
   std::string cause = name(lost.stage);
   if (lost.stage == LostAt::kRejected && !lost.by.empty()) cause += ": " + withoutNumbers(lost.by);
-  if (lost.stage == LostAt::kSuppressed) cause += suppressor(judged, missed.nearest);
+  if (lost.stage == LostAt::kSuppressed) {
+    const bool improbable = judged[size_t(missed.nearest)].probability < limits.accept_probability;
+    cause += suppressor(judged, missed.nearest) + (improbable ? ", too improbable anyway" : "");
+  }
   if (lost.stage != LostAt::kNotJudged) return cause;
-  if (lost.nearest_px < kNearMissError) return cause + ", one within 20 px";
+  if (nearlyRight(lost.nearest_px, missed.truth.size)) return cause + ", one nearly right";
   return cause + (missed.turned ? ", one in its place in a wrong orientation" : ", none in its place");
 }
 
@@ -164,7 +167,9 @@ WrongAccept placed(const BopImage& image, const BopModels& models, const RowOutc
     if (truth.object == row.object)
       wrong.cause = best >= kSamePlace ? WrongCause::kTwin : WrongCause::kMisplaced;
   }
-  if (row.errors.mspd < kNearMissError) {
+  const BopModel& model = models.at(row.object);
+  const double size = model.diameter * image.intrinsics(0, 0) / row.camera_from_object.translation.norm();
+  if (nearlyRight(row.errors.mspd, size)) {
     wrong.cause = WrongCause::kNearMiss;
     wrong.on = row.nearest;
   }
@@ -217,7 +222,7 @@ const char* name(LostAt::Stage stage) {
 const char* name(WrongCause cause) {
   switch (cause) {
     case WrongCause::kNearMiss:
-      return "its object, 10 to 20 px off";
+      return "nearly right";
     case WrongCause::kTwin:
       return "right place, wrong orientation";
     case WrongCause::kMisplaced:
@@ -246,10 +251,10 @@ std::vector<MissedObject> missedObjects(const BopSplit& split, const BopModels& 
       const JudgedPose& pose = judged[size_t(missed.nearest)];
       missed.lost = {stageOf(pose), pose.errors.mspd, whatSpoke(pose.against)};
     }
-    if (missed.lost.stage == LostAt::kNotJudged)
+    if (missed.lost.stage == LostAt::kNotJudged && !nearlyRight(missed.lost.nearest_px, truth.size))
       missed.turned =
           coverIt(*split.find(truth.scene, truth.image), models.at(truth.object), truth, judged, its);
-    missed.cause = causeOf(missed, judged);
+    missed.cause = causeOf(missed, judged, limits);
     all.push_back(missed);
   }
   std::stable_sort(all.begin(), all.end(), [](const MissedObject& a, const MissedObject& b) {

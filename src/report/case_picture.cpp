@@ -12,6 +12,8 @@ constexpr double kMargin = 0.3;                       // around the outlines, of
 constexpr double kSmallestCrop = 100;                 // [raw px]
 constexpr double kFar = 1e4;                          // no box reaches beyond [px]
 
+constexpr size_t kManyEdges = 60;  // of a model that is drawn with thin lines
+
 using Box = Eigen::AlignedBox2d;
 
 // Of the vertices in front of the camera; raw pixels.
@@ -73,7 +75,7 @@ cv::Mat casePicture(const CameraImage& image, const std::vector<Outline>& outlin
   for (size_t k = outlines.size(); k-- > 0;) {
     ObjectStyle style;
     style.colour = outlines[k].colour;
-    style.width = 2;
+    style.width = outlines[k].model->edges.size() > kManyEdges ? 1 : 2;
     style.axes = false;
     drawObject(&canvas, *outlines[k].model, outlines[k].camera_from_object, style);
   }

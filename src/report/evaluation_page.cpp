@@ -103,30 +103,39 @@ class EvaluationPageWriter {
     page_.paragraph("This run against " + other_->name +
                     ". Chance: probability that two equally good runs differ by as much or more in what "
                     "they find (McNemar's test, exact, two-sided).");
-    std::vector<HtmlPage::Row> rows;
-    for (const RunComparison::Group& group : comparison.scenes) rows.push_back(comparisonRow(group));
-    rows.push_back(comparisonRow(comparison.all));
-    page_.table({"", "found, this", "other", "change", "both", "only this", "only other", "chance",
-                 "right, this", "other", "change", "AR, this", "other", "change"},
-                rows);
+    std::vector<RunComparison::Group> groups = comparison.scenes;
+    groups.push_back(comparison.all);
+    std::vector<HtmlPage::Row> found, scores;
+    for (const RunComparison::Group& group : groups) {
+      found.push_back(foundRow(group));
+      scores.push_back(scoresRow(group));
+    }
+    page_.table({"", "found, this", "other", "points", "both", "only this", "only other", "chance"}, found);
+    page_.paragraph("Reported poses that are right, and AR:");
+    page_.table({"", "right, this", "other", "points", "AR, this", "other", "change"}, scores);
     changedObjects(comparison.changed);
   }
 
-  static HtmlPage::Row comparisonRow(const RunComparison::Group& group) {
-    const auto points = [](const Share& a, const Share& b) {
-      return a.whole && b.whole ? signedText(100 * (a.value() - b.value()), 1) : "\u2013";
-    };
+  static std::string pointsText(const Share& a, const Share& b) {
+    return a.whole && b.whole ? signedText(100 * (a.value() - b.value()), 1) : "\u2013";
+  }
+
+  static HtmlPage::Row foundRow(const RunComparison::Group& group) {
     return {group.a.name,
             shareText(group.a.found),
             shareText(group.b.found),
-            points(group.a.found, group.b.found),
+            pointsText(group.a.found, group.b.found),
             std::to_string(group.found.both),
             std::to_string(group.found.only_a),
             std::to_string(group.found.only_b),
-            fixed(group.found.chance(), 3),
+            fixed(group.found.chance(), 3)};
+  }
+
+  static HtmlPage::Row scoresRow(const RunComparison::Group& group) {
+    return {group.a.name,
             shareText(group.a.right),
             shareText(group.b.right),
-            points(group.a.right, group.b.right),
+            pointsText(group.a.right, group.b.right),
             fixed(group.a.ar, 3),
             fixed(group.b.ar, 3),
             signedText(group.a.ar - group.b.ar, 3)};
@@ -205,7 +214,7 @@ class EvaluationPageWriter {
   void precisionChart(const std::vector<PrecisionRecallPoint>& curve) {
     std::vector<ChartPoint> line, marked;
     for (const PrecisionRecallPoint& point : curve) line.push_back({point.recall, point.precision, 0, 0, ""});
-    for (const double score : {0.9, run_.accept_probability, 0.1}) {
+    for (const double score : {0.9, run_.limits.accept_probability, 0.1}) {
       // The last point of at least this score.
       const auto below = std::find_if(curve.begin(), curve.end(),
                                       [&](const PrecisionRecallPoint& p) { return p.score < score; });
@@ -216,7 +225,7 @@ class EvaluationPageWriter {
     page_.chart(
         curveChart("Precision over recall", "recall of the wanted instances", "precision", line, marked),
         "Over the probability from which a candidate counts; accepted are those of at least " +
-            shortNumber(run_.accept_probability));
+            shortNumber(run_.limits.accept_probability));
   }
 
   void missedCases() {

@@ -185,7 +185,6 @@ void writePages(const Arguments& args, const BopSplit& split, const BopModels& m
       judgeRun(split, models, run.reported),
       run.times,
       measured(run.judged, split, models),
-      recognizer.options().accept_probability,
       searchLimits(recognizer.options(), split.width, args.scale),
       [&](const BopImage& image) { return source.load(image); }};
 

@@ -62,6 +62,7 @@ SearchLimits searchLimits(const RecognitionOptions& options, int width, double s
   limits.max_distance = options.max_distance;
   limits.min_size = options.min_size;
   limits.min_in_frame = options.min_in_frame;
+  limits.accept_probability = options.accept_probability;
   limits.searched_scale = scale;
   for (double searched = width * scale; searched > options.search_width; searched /= 2)
     limits.searched_scale /= 2;

@@ -60,7 +60,7 @@ TEST_F(Causes, suppressed_near_and_far_candidates) {
   EXPECT_EQ(all[0].lost.by, "lid 0.95");
   EXPECT_EQ(all[1].lost.stage, LostAt::kNotJudged);
   EXPECT_NEAR(all[1].lost.nearest_px, 15 / 0.95, 1e-6);
-  EXPECT_EQ(all[1].cause, "no candidate within 10 px, one within 20 px");
+  EXPECT_EQ(all[1].cause, "no candidate within 10 px, one nearly right");
   EXPECT_EQ(all[2].cause, "no candidate within 10 px, none in its place");
   EXPECT_EQ(all[3].nearest, -1);
   EXPECT_TRUE(std::isinf(all[3].lost.nearest_px));
@@ -69,6 +69,25 @@ TEST_F(Causes, suppressed_near_and_far_candidates) {
   ASSERT_EQ(counts.size(), 3u);
   EXPECT_EQ(counts[0].count, 2) << "the most frequent first";
   EXPECT_EQ(counts[0].cause, all[2].cause);
+}
+
+TEST_F(Causes, what_is_counted_has_no_numbers) {
+  MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
+  run_.judge(1, 0, 1, 0.4, at(0, 0, 1000), JudgedPose::kRejected,
+             "probability 0.4 below 0.5: edge points per sample 0.70 (usually 0.92); size 3.6 (usually 4)");
+  EXPECT_EQ(missed().at(0).cause, "rejected: edge points per sample");
+}
+
+TEST_F(Causes, a_small_object_turned_is_not_nearly_right) {
+  // 35 px large: 12 px are a third of it.
+  MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 5000));
+  Rigid3 turned = at(0, 0, 5000);
+  turned.rotation = expSO3({0, 0, M_PI / 4});
+  run_.judge(1, 0, 1, 0.4, turned, JudgedPose::kRejected);
+  run_.row(1, 0, 1, 0.6, turned);
+  EXPECT_NEAR(missed().at(0).lost.nearest_px, 10.9, 0.1);
+  EXPECT_TRUE(missed().at(0).turned);
+  EXPECT_EQ(wrong().at(0).cause, WrongCause::kTwin);
 }
 
 TEST_F(Causes, a_missed_object_that_only_twins_were_judged_of) {
@@ -95,6 +114,8 @@ TEST_F(Causes, what_suppressed_a_right_candidate_is_told_apart) {
   EXPECT_EQ(missed().at(0).cause, "suppressed by a right pose of another object that was itself rejected");
   run_.judged[0].suppressed_by = -1;
   EXPECT_EQ(missed().at(0).cause, "suppressed");
+  run_.judged[0].probability = 0.4;
+  EXPECT_EQ(missed().at(0).cause, "suppressed, too improbable anyway");
 }
 
 TEST_F(Causes, found_and_hardly_visible_objects_are_not_missed) {

@@ -105,7 +105,6 @@ class EvaluationPages : public testing::Test {
             judgeRun(split_, models_, results_),
             {{{1, 0}, 0.25}, {{1, 1}, 0.75}},
             measured(judged_, split_, models_),
-            0.5,
             {},
             load_};
   }

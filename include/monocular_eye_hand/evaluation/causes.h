@@ -28,12 +28,13 @@ struct LostAt {
 /// For people: "rejected".
 const char* name(LostAt::Stage stage);
 
-/// The limits of the search that an instance may lie beyond (RecognitionOptions).
+/// The limits that an instance or its candidate may lie beyond (RecognitionOptions).
 struct SearchLimits {
   double min_distance = 0, max_distance = std::numeric_limits<double>::infinity();  ///< [m]
-  double min_size = 0;        ///< [px of the searched image]
-  double min_in_frame = 0;    ///< share of the contour
-  double searched_scale = 1;  ///< searched pixels per pixel of the data set's images
+  double min_size = 0;              ///< [px of the searched image]
+  double min_in_frame = 0;          ///< share of the contour
+  double accept_probability = 0.5;  ///< smallest of what is reported
+  double searched_scale = 1;        ///< searched pixels per pixel of the data set's images
 };
 
 struct MissedObject {
@@ -47,7 +48,7 @@ struct MissedObject {
 
 /// What a pose that is wrong has been taken for.
 enum class WrongCause {
-  kNearMiss,     ///< its object, 10 to 20 px off
+  kNearMiss,     ///< its object, 10 to 20 px off, which is less than a quarter of its image
   kTwin,         ///< its object in the right place, in a wrong orientation
   kMisplaced,    ///< on an instance of its object, larger, smaller or displaced
   kOtherObject,  ///< on another object of the truth

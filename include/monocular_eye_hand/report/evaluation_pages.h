@@ -22,7 +22,6 @@ struct EvaluatedRun {
   RunOutcomes outcomes;    ///< of what was reported
   ImageTimes times;
   std::vector<JudgedPose> judged;  ///< as measured() gave them; empty: only what was reported is known
-  double accept_probability = 0.5;
   SearchLimits limits;
   /// The image and camera that recognition was given. Throws BadInput when there is none: the pages say so.
   std::function<CameraImage(const BopImage&)> load;
