@@ -9,7 +9,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kStep = 4.0;         // contour samples [px]
 constexpr double kMinFeature = 12.0;  // a shorter feature cannot be traced [px]
 constexpr double kFoundShare = 0.5;   // of its samples answered: the feature is there
 constexpr double kBareShare = 0.5;    // of its samples on flat ground: the feature is not there

@@ -6,6 +6,7 @@
 #include "monocular_eye_hand/model/contour.h"
 #include "recognition/bent_edges.h"
 #include "recognition/feature_refinement.h"
+#include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -41,7 +42,9 @@ struct ContourMatch {
 std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchImage& image, const Rigid3& pose,
                                        double range, double step) {
   std::vector<ContourMatch> matches;
-  for (const SeenSample& s : projectContour(model.model(), pose, image.camera, image.domain, step)) {
+  const std::vector<SeenSample> contour =
+      resolvedContour(model.model(), projectContour(model.model(), pose, image.camera, image.domain, step));
+  for (const SeenSample& s : contour) {
     if (!s.inside) continue;
     const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
     const int found = image.raster.find(s.uv, normal, range);

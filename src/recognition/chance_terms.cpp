@@ -7,7 +7,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kHitRange = 2.0;                 // an edge this near answers a sample [px]
 constexpr std::array<double, 2> kShifts{11, 19};  // [px]
 constexpr int kDirections = 6;
 constexpr int kMostSamples = 120;  // looked at per shift

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "recognition/drawing_terms.h"
+#include "recognition/median.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -10,13 +11,6 @@ namespace {
 constexpr int kLinked = 12;  // edge points apart along a trace that two neighbouring samples may answer to
 
 constexpr size_t kSparse = 8;  // of the edge points around, one in so many is looked at
-
-double median(std::vector<float>* values) {
-  if (values->empty()) return 0;
-  const auto middle = values->begin() + std::ptrdiff_t(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
 
 Eigen::Vector2d normalOf(const SeenSample& s) { return {-s.direction.y(), s.direction.x()}; }
 

@@ -8,6 +8,8 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kMaxOverlap = 0.3;  // of the smaller drawing: explanations may not share more faces
+constexpr double kEvidencePower =
+    0.25;  // of the evidence in the rank: it settles what the probability leaves open
 constexpr double kMaxClaimed = 0.5;  // share of edge points already claimed by better explanations
 
 int commonCount(const std::vector<int>& a, const std::vector<int>& b) {
@@ -46,9 +48,7 @@ double probability(const EvidenceTerms& terms, const DecisionWeights& weights) {
 }
 
 double rankScore(const Candidate& candidate) {
-  const EvidenceTerms& terms = candidate.terms;
-  const double contradicted = std::min(0.9, 1.5 * terms.off_face + 0.5 * terms.continuation);
-  return terms.sum * (1 - contradicted) * (candidate.probability + 0.05);
+  return std::pow(std::max(0.0, candidate.terms.sum), kEvidencePower) * (candidate.probability + 0.05);
 }
 
 std::vector<Explanation> chooseExplanations(const std::vector<Candidate>& candidates) {

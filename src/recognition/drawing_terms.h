@@ -13,6 +13,12 @@ namespace monocular_eye_hand {
 /// against the edges around.
 void coherenceTerms(const SearchImage& image, Candidate* candidate);
 
+constexpr double kHitRange = 2.0;  ///< an edge this near answers a sample [px]
+constexpr double kStep = 4.0;      ///< distance between contour samples [px]
+
+/// How precisely the drawing lies on the edges: by chance they are spread over the whole range of search.
+void precisionTerms(const SearchImage& image, Candidate* candidate);
+
 /// What of the drawing is missing, told apart: outline or inner feature, and on flat ground (nothing is
 /// there) or not (something else may hide it).
 void absenceTerms(const ObjectModel& model, const SearchImage& image, Candidate* candidate);

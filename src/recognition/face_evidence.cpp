@@ -7,6 +7,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/model/ray_scene.h"
+#include "recognition/median.h"
+#include "recognition/shading.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -18,6 +20,15 @@ constexpr int kMinFacePixels = 12;
 struct FacePixel {
   float u, v, grey;
 };
+
+// Outward, unit, object frame.
+Eigen::Vector3d normalOf(const Mesh& mesh, int triangle) {
+  const std::array<int, 3>& corners = mesh.triangles[size_t(triangle)];
+  const Eigen::Vector3d& a = mesh.vertices[size_t(corners[0])];
+  const Eigen::Vector3d& b = mesh.vertices[size_t(corners[1])];
+  const Eigen::Vector3d& c = mesh.vertices[size_t(corners[2])];
+  return (b - a).cross(c - a).normalized();
+}
 
 // Share of pixels that depart from a plane (flat face) or quadric (curved face) of grey by more than noise
 // and a small share of contrast allow. Three rounds of trimmed least squares.
@@ -43,9 +54,8 @@ int countOffShading(const std::vector<FacePixel>& pixels, bool curved) {
     normal.diagonal().array() += 1e-6;
     const Eigen::VectorXd x = normal.ldlt().solve(wa.transpose() * g);
     residual = (g - a * x).cwiseAbs();
-    std::vector<double> sorted(residual.data(), residual.data() + n);
-    std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
-    tolerance = std::max(4.0, 3.5 * 1.4826 * sorted[n / 2]);
+    std::vector<double> sizes(residual.data(), residual.data() + n);
+    tolerance = std::max(4.0, 3.5 * 1.4826 * median(&sizes));
     tolerance =
         std::min(tolerance, 14.0);  // a face half covered by something else must not set its own scale
     for (int i = 0; i < n; ++i) weight[i] = residual[i] < tolerance ? 1.0 : 0.02;
@@ -117,6 +127,7 @@ void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* 
   std::map<int, int> pixels_of_trace;
   std::map<int, std::vector<FacePixel>> by_surface;
   std::vector<cv::Point2f> drawn;
+  std::vector<ShadedPixel> shaded;
   int interior = 0, unexplained = 0, hits = 0;
   const int cells_x = (context.domain.width + kCoverCell - 1) / kCoverCell;
   for (int v = firstOnLattice(box.y, context.domain.v0); v < box.y + box.height; v += step)
@@ -136,9 +147,13 @@ void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* 
       candidate->covered.push_back((y / kCoverCell) * cells_x + x / kCoverCell);
       const int surface = model.surface_of_triangle[hit.triangle];
       if (!context.domain.contains(u, v)) continue;
+      const float grey = float(context.rect_grey.at<uint8_t>(y, x));
+      const Eigen::Vector3d normal =
+          candidate->pose.camera_from_object.rotation * normalOf(model.mesh, hit.triangle);
+      shaded.push_back({normal.cast<float>(), grey});
       auto& pixels = by_surface[surface];
       if (band.at<uint8_t>(v - box.y, u - box.x)) continue;
-      pixels.push_back({float(u), float(v), float(context.rect_grey.at<uint8_t>(y, x))});
+      pixels.push_back({float(u), float(v), grey});
       ++interior;
       int edge = -1;
       for (int dy = -1; dy <= 1 && edge < 0; ++dy)
@@ -150,6 +165,7 @@ void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* 
   std::sort(candidate->covered.begin(), candidate->covered.end());
   candidate->covered.erase(std::unique(candidate->covered.begin(), candidate->covered.end()),
                            candidate->covered.end());
+  terms.shading = shadingExplained(shaded);
   int off = 0;
   for (const auto& [surface, pixels] : by_surface)
     off += countOffShading(pixels, model.surfaces[surface].kind != Surface::Kind::kPlane);

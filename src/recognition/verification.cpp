@@ -7,12 +7,12 @@
 #include "recognition/alignment.h"
 #include "recognition/drawing_terms.h"
 #include "recognition/face_evidence.h"
+#include "recognition/median.h"
+#include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kStep = 4.0;              // contour samples [px]
-constexpr double kHitRange = 2.0;          // an edge this near answers a sample [px]
 constexpr double kIndependent = 5.0;       // contour length that counts as one independent sample [px]
 constexpr double kUnsupportedHits = 0.35;  // a feature with a smaller share of hits is unsupported
 constexpr double kMinFeature = 8.0;        // shorter visible features are not counted [px]
@@ -90,10 +90,7 @@ void contourTerms(const SearchImage& context, Candidate* candidate) {
   terms.groups = total;
   terms.unsupported = total ? double(missing) / total : 1;
   terms.unsupported_length = length > 0 ? missing_length / length : 1;
-  if (!gradients.empty()) {
-    std::nth_element(gradients.begin(), gradients.begin() + gradients.size() / 2, gradients.end());
-    terms.contrast = gradients[gradients.size() / 2] / std::max(context.noise, 1e-3);
-  }
+  terms.contrast = median(&gradients) / std::max(context.noise, 1e-3);
 }
 
 // Whether the drawing itself has a line here with this direction.
@@ -192,8 +189,9 @@ void drawContour(const SearchModel& model, const SearchImage& image, Candidate* 
   candidate->claimed.clear();
   candidate->covered.clear();
   candidate->terms = EvidenceTerms();
-  candidate->contour =
-      projectContour(model.model(), candidate->pose.camera_from_object, image.camera, image.domain, kStep);
+  candidate->contour = resolvedContour(
+      model.model(),
+      projectContour(model.model(), candidate->pose.camera_from_object, image.camera, image.domain, kStep));
   matchSamples(image, candidate);
   contourTerms(image, candidate);
   boundingBox(image, candidate);
@@ -204,6 +202,7 @@ void weighDrawing(const SearchModel& model, const SearchImage& image, Candidate*
   overhangTerm(image, candidate);
   faceTerms(model.model(), image, candidate);
   coherenceTerms(image, candidate);
+  precisionTerms(image, candidate);
   absenceTerms(model.model(), image, candidate);
   crossingTerms(image, candidate);
   chanceTerms(image, candidate);

@@ -22,25 +22,28 @@ struct EvidenceTerms {
   double ends = 0;           ///< edge ends that were tested for it
   double interior = 0;       ///< share of face pixels with an edge that the model does not explain
   double off_face = 0;       ///< share of face pixels that depart from a smooth shading of their face
+  double shading = 0;        ///< share of its faces' spread of greys that one light explains
   double faces = 0;          ///< visible faces
   double solidity = 0;       ///< drawn area over the area of the drawing's convex hull
   double size = 0;           ///< square root of the drawn area [px]
   double contrast = 0;       ///< median gradient of the answering edge points, relative to the image's noise
   double rms = 0;            ///< back-projection error of the answered samples [px]
   double claimed_ratio = 0;  ///< different edge points per answered sample
-  double slant = 0;          ///< mean of 1 - |cos| between drawn and found direction
-  double linked = 0;         ///< share of neighbouring answered samples whose edge points follow on one trace
-  double jitter = 0;         ///< rms change of the offset between such neighbours [px]
-  double run = 0;            ///< longest stretch answered by one trace, share of the contour
-  double polarity = 0;       ///< share of the answered samples with their feature's prevailing gradient sign
-  double blur = 0;           ///< median blur of the answering edge points [px]
-  double rel_contrast = 0;   ///< their median gradient over that of the edges around
-  double outline_hits = 0;   ///< share of the part's outline with an edge under it
-  double outline_bare = 0;   ///< share of the outline without an edge, on flat ground
-  double inner_share = 0;    ///< share of the drawing that lies within the outline
-  double inner_hits = 0;     ///< share of it with an edge under it
-  double inner_bare = 0;     ///< share of it without an edge, on flat ground
-  double sharp_bare = 0;     ///< the same of creases that shading shows
+  double offset = 0;         ///< median distance of the answered samples from their edge [px]
+  double precise_features = 0;  ///< features of which half is answered by parallel edges within 0.5 px
+  double slant = 0;             ///< mean of 1 - |cos| between drawn and found direction
+  double linked = 0;        ///< share of neighbouring answered samples whose edge points follow on one trace
+  double jitter = 0;        ///< rms change of the offset between such neighbours [px]
+  double run = 0;           ///< longest stretch answered by one trace, share of the contour
+  double polarity = 0;      ///< share of the answered samples with their feature's prevailing gradient sign
+  double blur = 0;          ///< median blur of the answering edge points [px]
+  double rel_contrast = 0;  ///< their median gradient over that of the edges around
+  double outline_hits = 0;  ///< share of the part's outline with an edge under it
+  double outline_bare = 0;  ///< share of the outline without an edge, on flat ground
+  double inner_share = 0;   ///< share of the drawing that lies within the outline
+  double inner_hits = 0;    ///< share of it with an edge under it
+  double inner_bare = 0;    ///< share of it without an edge, on flat ground
+  double sharp_bare = 0;    ///< the same of creases that shading shows
   double inner_features = 0;  ///< features of 12 px and more within the outline
   double inner_found = 0;     ///< ... of which half is there
   double features_found = 0;  ///< ... as a share
@@ -77,12 +80,15 @@ struct EvidenceTerms {
     v("ends", ends);
     v("interior", interior);
     v("off_face", off_face);
+    v("shading", shading);
     v("faces", faces);
     v("solidity", solidity);
     v("size", size);
     v("contrast", contrast);
     v("rms", rms);
     v("claimed_ratio", claimed_ratio);
+    v("offset", offset);
+    v("precise_features", precise_features);
     v("slant", slant);
     v("linked", linked);
     v("jitter", jitter);

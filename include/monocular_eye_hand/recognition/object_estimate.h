@@ -65,8 +65,7 @@ struct JudgedCandidate {
   double reliability = 0;     ///< as ObjectEstimate's
   double probability = 0;     ///< calibrated probability that object and pose are right
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
-  /// Order of choice: sum * (1 - min(0.9, 1.5 off_face + 0.5 continuation)) * (probability + 0.05), of the
-  /// terms in `evidence`.
+  /// Order of choice: sum^(1/4) * (probability + 0.05), `sum` of the terms in `evidence`.
   double rank_score = 0;
   Fate fate = Fate::kSuppressed;
   int suppressed_by = -1;      ///< index in the list; -1: chosen

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "monocular_eye_hand/model/object_model.h"
+#include "recognition/candidate.h"
+
+namespace monocular_eye_hand {
+
+/// What of a drawn contour a camera can tell apart: of parallel lines of different features that run less
+/// than 2.5 px beside each other (the rims of a chamfer, of a sheet, of a fillet seen from afar) only the
+/// most telling one is kept, sample by sample: an outline before a crease, a sharp crease before a blunt one.
+std::vector<SeenSample> resolvedContour(const ObjectModel& model, const std::vector<SeenSample>& contour);
+
+}  // namespace monocular_eye_hand
