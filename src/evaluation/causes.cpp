@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
-#include <regex>
 
 #include "monocular_eye_hand/geometry/error.h"
 
@@ -63,20 +62,6 @@ std::string limitOf(const TruthOutcome& truth, const SearchLimits& limits, const
   return "";
 }
 
-// The first of the things said, its numbers and what stands in brackets left out: what can be counted.
-// "hits 0.70 (usually 0.92); ..." -> "hits", "33 % of its corners" -> "\u2026 % of its corners".
-std::string withoutNumbers(const std::string& said) {
-  static const std::regex brackets(" *\\([^)]*\\)"), number("[0-9]+([.][0-9]+)?"), last(" *\u2026$");
-  const std::string first = std::regex_replace(said.substr(0, said.find(';')), brackets, "");
-  return std::regex_replace(std::regex_replace(first, number, "\u2026"), last, "");
-}
-
-// "probability 0.3 below 0.5: edges run on; ..." -> what stands behind the colon.
-std::string whatSpoke(const std::string& against) {
-  const size_t colon = against.find(": ");
-  return colon == std::string::npos ? against : against.substr(colon + 2);
-}
-
 std::string suppressor(const std::vector<JudgedPose>& judged, int index) {
   const JudgedPose& pose = judged[size_t(index)];
   if (pose.suppressed_by < 0) return "";
@@ -91,7 +76,10 @@ std::string causeOf(const MissedObject& missed, const std::vector<JudgedPose>& j
   if (!missed.limit.empty()) return "limit of the search: " + missed.limit.substr(0, missed.limit.find(':'));
   const LostAt& lost = missed.lost;
   std::string cause = name(lost.stage);
-  if (lost.stage == LostAt::kRejected && !lost.by.empty()) cause += ": " + withoutNumbers(lost.by);
+  if (lost.stage == LostAt::kRejected) {
+    const std::string& term = judged[size_t(missed.nearest)].strongest_against;
+    if (!term.empty()) cause += ": " + term;
+  }
   if (lost.stage == LostAt::kSuppressed) {
     const bool improbable = judged[size_t(missed.nearest)].probability < limits.accept_probability;
     cause += suppressor(judged, missed.nearest) + (improbable ? ", too improbable anyway" : "");
@@ -249,7 +237,7 @@ std::vector<MissedObject> missedObjects(const BopSplit& split, const BopModels& 
     missed.nearest = tellingPose(judged, its);
     if (missed.nearest >= 0) {
       const JudgedPose& pose = judged[size_t(missed.nearest)];
-      missed.lost = {stageOf(pose), pose.errors.mspd, whatSpoke(pose.against)};
+      missed.lost = {stageOf(pose), pose.errors.mspd, pose.against};
     }
     if (missed.lost.stage == LostAt::kNotJudged && !nearlyRight(missed.lost.nearest_px, truth.size))
       missed.turned =

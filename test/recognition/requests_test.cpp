@@ -291,6 +291,10 @@ TEST_P(JudgedOn, the_chosen_ones_are_those_that_are_reported) {
     EXPECT_EQ((*same)->reliability, judged.reliability);
     EXPECT_EQ((*same)->evidence, judged.evidence);
     EXPECT_STREQ(name((*same)->decision), name(judged.fate));
+    EXPECT_EQ((*same)->spoke_against.empty(), judged.strongest_against.empty());
+    if (!judged.strongest_against.empty()) {
+      EXPECT_THAT((*same)->spoke_against.front(), testing::StartsWith(judged.strongest_against + " "));
+    }
   }
   EXPECT_EQ(chosen, reported.size());
 }

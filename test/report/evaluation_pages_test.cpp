@@ -92,7 +92,8 @@ class EvaluationPages : public testing::Test {
     made.probability = probability;
     made.camera_from_object = at;
     made.fate = fate;
-    made.against = fate == JudgedPose::kRejected ? "probability 0.3 below 0.5: edges <run> on" : "";
+    made.against = fate == JudgedPose::kRejected ? "edges <run> on 0.3 (usually 0)" : "";
+    made.strongest_against = fate == JudgedPose::kRejected ? "edges <run> on" : "";
     made.evidence = {{"edge <support>", 0.875}};
     return made;
   }

@@ -59,11 +59,12 @@ const char* name(Fate fate);
 struct JudgedCandidate {
   int object = -1;  ///< ModelBase::objects
   std::string name;
-  std::string kind;           ///< of the grouping that its hypothesis came from, as name(GroupingKind)
-  Rigid3 camera_from_object;  ///< of a chosen one as reported, of a suppressed one as verified
-  double plausibility = 0;    ///< as ObjectEstimate's
-  double reliability = 0;     ///< as ObjectEstimate's
-  double probability = 0;     ///< calibrated probability that object and pose are right
+  std::string kind;               ///< of the grouping that its hypothesis came from, as name(GroupingKind)
+  Rigid3 camera_from_object;      ///< of a chosen one as reported, of a suppressed one as verified
+  double plausibility = 0;        ///< as ObjectEstimate's
+  double reliability = 0;         ///< as ObjectEstimate's
+  double probability = 0;         ///< calibrated probability that object and pose are right
+  std::string strongest_against;  ///< what DecisionTerm::words says of the term most against it; "": none is
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
   /// Order of choice: sum * (1 - min(0.9, 1.5 off_face + 0.5 continuation)) * (probability + 0.05), of the
   /// terms in `evidence`.
