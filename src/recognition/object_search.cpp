@@ -31,8 +31,7 @@ std::vector<char> unexplainedSegments(const FeatureSet& features, const std::vec
 
 SearchState searchGroupings(const SearchTask& task, WorkBudget* budget, StageLog* log) {
   SearchState state;
-  for (int object : task.wanted)
-    state.pools.emplace_back(task.image.camera, task.models[object], task.options);
+  for (int object : task.wanted) state.pools.emplace_back(task, object);
 
   const int objects = int(task.wanted.size());
   for (int i = 0; i < objects; ++i) {
