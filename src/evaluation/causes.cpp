@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
-#include <regex>
 
 #include "monocular_eye_hand/geometry/error.h"
 
@@ -63,20 +62,6 @@ std::string limitOf(const TruthOutcome& truth, const SearchLimits& limits, const
   return "";
 }
 
-// The first of the things said, its numbers and what stands in brackets left out: what can be counted.
-// "hits 0.70 (usually 0.92); ..." -> "hits", "33 % of its corners" -> "\u2026 % of its corners".
-std::string withoutNumbers(const std::string& said) {
-  static const std::regex brackets(" *\\([^)]*\\)"), number("[0-9]+([.][0-9]+)?"), last(" *\u2026$");
-  const std::string first = std::regex_replace(said.substr(0, said.find(';')), brackets, "");
-  return std::regex_replace(std::regex_replace(first, number, "\u2026"), last, "");
-}
-
-// "probability 0.3 below 0.5: edges run on; ..." -> what stands behind the colon.
-std::string whatSpoke(const std::string& against) {
-  const size_t colon = against.find(": ");
-  return colon == std::string::npos ? against : against.substr(colon + 2);
-}
-
 std::string suppressor(const std::vector<JudgedPose>& judged, int index) {
   const JudgedPose& pose = judged[size_t(index)];
   if (pose.suppressed_by < 0) return "";
@@ -86,23 +71,36 @@ std::string suppressor(const std::vector<JudgedPose>& judged, int index) {
          (by.fate == JudgedPose::kRejected ? " that was itself rejected" : "");
 }
 
+bool nearlyRightJudged(const MissedObject& missed, const std::vector<JudgedPose>& judged) {
+  return missed.nearest >= 0 && nearlyRight(judged[size_t(missed.nearest)].errors.mspd, missed.truth.size);
+}
+
+// What was judged of an instance of which nothing right was.
+std::string judgedInstead(const MissedObject& missed, const std::vector<JudgedPose>& judged) {
+  if (nearlyRightJudged(missed, judged)) return ", one nearly right";
+  if (missed.turned) return ", one in its place in a wrong orientation";
+  return missed.lost.stage == LostAt::kNotJudged ? ", none in its place" : "";
+}
+
 std::string causeOf(const MissedObject& missed, const std::vector<JudgedPose>& judged,
                     const SearchLimits& limits) {
   if (!missed.limit.empty()) return "limit of the search: " + missed.limit.substr(0, missed.limit.find(':'));
   const LostAt& lost = missed.lost;
   std::string cause = name(lost.stage);
-  if (lost.stage == LostAt::kRejected && !lost.by.empty()) cause += ": " + withoutNumbers(lost.by);
+  if (lost.stage <= LostAt::kNotJudged) return cause + judgedInstead(missed, judged);
+
+  const JudgedPose& pose = judged[size_t(missed.nearest)];
+  if (lost.stage == LostAt::kRejected && !pose.strongest_against.empty())
+    cause += ": " + pose.strongest_against;
   if (lost.stage == LostAt::kSuppressed) {
-    const bool improbable = judged[size_t(missed.nearest)].probability < limits.accept_probability;
+    const bool improbable = pose.probability < limits.accept_probability;
     cause += suppressor(judged, missed.nearest) + (improbable ? ", too improbable anyway" : "");
   }
-  if (lost.stage != LostAt::kNotJudged) return cause;
-  if (nearlyRight(lost.nearest_px, missed.truth.size)) return cause + ", one nearly right";
-  return cause + (missed.turned ? ", one in its place in a wrong orientation" : ", none in its place");
+  return cause;
 }
 
+// The stage at which a right pose was lost.
 LostAt::Stage stageOf(const JudgedPose& pose) {
-  if (!pose.right()) return LostAt::kNotJudged;
   if (pose.fate == JudgedPose::kRejected) return LostAt::kRejected;
   return pose.fate == JudgedPose::kSuppressed ? LostAt::kSuppressed : LostAt::kFoundElsewhere;
 }
@@ -130,6 +128,24 @@ int tellingPose(const std::vector<JudgedPose>& judged, const std::vector<int>& p
   for (const int k : poses)
     if (best < 0 || tellsMore(judged[size_t(k)], judged[size_t(best)])) best = k;
   return best;
+}
+
+// `telling`: the pose that tells most; `traced`: how the search came near. Both may be nullptr.
+LostAt lostAt(const JudgedPose* telling, const TracedTruth* traced, double size) {
+  if (telling && telling->right()) return {stageOf(*telling), telling->errors.mspd, telling->against};
+
+  LostAt lost;
+  if (telling) lost = {LostAt::kNotJudged, telling->errors.mspd, telling->against};
+  if (!traced) return lost;
+  const LostAt in_search = lostInSearch(*traced, size);
+  return {in_search.stage, in_search.nearest_px, lost.by};
+}
+
+const TracedTruth* traceOf(const TruthOutcome& truth, const std::vector<TracedTruth>& traced) {
+  const auto found = std::find_if(traced.begin(), traced.end(), [&](const TracedTruth& one) {
+    return one.scene == truth.scene && one.image == truth.image && one.truth == truth.index;
+  });
+  return found == traced.end() ? nullptr : &*found;
 }
 
 double overUnion(const Hull& a, const Hull& b) {
@@ -197,28 +213,6 @@ std::vector<CauseCount> sorted(const std::map<std::string, int>& counts) {
 
 }  // namespace
 
-const char* name(LostAt::Stage stage) {
-  switch (stage) {
-    case LostAt::kNoGrouping:
-      return "no grouping";
-    case LostAt::kNotGenerated:
-      return "no hypothesis near";
-    case LostAt::kNotAligned:
-      return "not aligned";
-    case LostAt::kNotVerified:
-      return "not verified";
-    case LostAt::kNotJudged:
-      return "no candidate within 10 px";
-    case LostAt::kRejected:
-      return "rejected";
-    case LostAt::kSuppressed:
-      return "suppressed";
-    case LostAt::kFoundElsewhere:
-      return "found elsewhere";
-  }
-  return "unknown";
-}
-
 const char* name(WrongCause cause) {
   switch (cause) {
     case WrongCause::kNearMiss:
@@ -237,7 +231,8 @@ const char* name(WrongCause cause) {
 
 std::vector<MissedObject> missedObjects(const BopSplit& split, const BopModels& models,
                                         const RunOutcomes& run, const std::vector<JudgedPose>& judged,
-                                        const SearchLimits& limits, const InFrame& in_frame) {
+                                        const std::vector<TracedTruth>& traced, const SearchLimits& limits,
+                                        const InFrame& in_frame) {
   auto poses = posesByInstance(judged);
   std::vector<MissedObject> all;
   for (const TruthOutcome& truth : run.truths) {
@@ -247,11 +242,12 @@ std::vector<MissedObject> missedObjects(const BopSplit& split, const BopModels& 
     missed.truth = truth;
     missed.limit = limitOf(truth, limits, in_frame);
     missed.nearest = tellingPose(judged, its);
-    if (missed.nearest >= 0) {
-      const JudgedPose& pose = judged[size_t(missed.nearest)];
-      missed.lost = {stageOf(pose), pose.errors.mspd, whatSpoke(pose.against)};
-    }
-    if (missed.lost.stage == LostAt::kNotJudged && !nearlyRight(missed.lost.nearest_px, truth.size))
+
+    const JudgedPose* telling = missed.nearest < 0 ? nullptr : &judged[size_t(missed.nearest)];
+    const TracedTruth* trace = traceOf(truth, traced);
+    missed.lost = lostAt(telling, trace, truth.size);
+    if (trace) missed.traced = *trace;
+    if (missed.lost.stage <= LostAt::kNotJudged && !nearlyRightJudged(missed, judged))
       missed.turned =
           coverIt(*split.find(truth.scene, truth.image), models.at(truth.object), truth, judged, its);
     missed.cause = causeOf(missed, judged, limits);

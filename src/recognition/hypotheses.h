@@ -1,9 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "monocular_eye_hand/recognition/options.h"
-#include "recognition/search_image.h"
-#include "recognition/search_model.h"
+#include "recognition/search_task.h"
 #include "recognition/work_budget.h"
 
 namespace monocular_eye_hand {
@@ -22,7 +20,8 @@ struct Hypothesis {
 /// others.
 class HypothesisPool {
  public:
-  HypothesisPool(const Camera& camera, const SearchModel& model, const RecognitionOptions& options);
+  /// Refers to what the task refers to. `object`: the model whose hypotheses it keeps.
+  HypothesisPool(const SearchTask& task, int object);
   /// Scores a pose and keeps it when it is admissible (distance, size, share in the frame) and good for its
   /// place.
   void offer(const Rigid3& camera_from_object, GroupingKind kind, const EvidenceMap& map, WorkBudget* budget);
@@ -31,6 +30,8 @@ class HypothesisPool {
   std::vector<Hypothesis> take(int count);
 
  private:
+  SearchTask task_;
+  int object_;
   const Camera& camera_;
   const SearchModel& model_;
   const RecognitionOptions& options_;

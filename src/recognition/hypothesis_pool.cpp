@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "recognition/hypotheses.h"
+#include "recognition/search_trace.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -14,18 +15,20 @@ constexpr float kMinEvidence = 4.0f;  // nats: below, nothing in the image speak
 
 }  // namespace
 
-HypothesisPool::HypothesisPool(const Camera& camera, const SearchModel& model,
-                               const RecognitionOptions& options)
-    : camera_(camera),
-      model_(model),
-      options_(options),
-      cells_x_(int(std::ceil(camera.width / kCellSize)) + 2),
-      cells_y_(int(std::ceil(camera.height / kCellSize)) + 2),
+HypothesisPool::HypothesisPool(const SearchTask& task, int object)
+    : task_(task),
+      object_(object),
+      camera_(task.image.camera),
+      model_(task.models[object]),
+      options_(task.options),
+      cells_x_(int(std::ceil(camera_.width / kCellSize)) + 2),
+      cells_y_(int(std::ceil(camera_.height / kCellSize)) + 2),
       cells_(size_t(cells_x_) * cells_y_) {}
 
 void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const EvidenceMap& map,
                            WorkBudget* budget) {
   budget->count();
+  note(task_, SearchStage::kGenerated, object_, pose);
   const Eigen::Vector3d centre = pose * model_.model().centre();
   const double distance = centre.norm();
   if (!(centre.z() > 0) || distance < options_.min_distance || distance > options_.max_distance) return;

@@ -7,6 +7,7 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "recognition/alignment.h"
 #include "recognition/decision.h"
+#include "recognition/search_trace.h"
 #include "recognition/verification.h"
 
 namespace monocular_eye_hand {
@@ -108,7 +109,11 @@ std::vector<Candidate> judgeHypotheses(const SearchTask& task, int object, Hypot
   const SearchModel& model = task.models[object];
   const std::vector<AlignedHypothesis> aligned = log->timed("coarse alignment", [&](StageReport* report) {
     const std::vector<Hypothesis> hypotheses = pool->take(count);
+    for (const Hypothesis& h : hypotheses) note(task, SearchStage::kTaken, object, h.camera_from_object);
+
     std::vector<AlignedHypothesis> moved = alignHypotheses(task, model, hypotheses, budget);
+    for (const AlignedHypothesis& a : moved)
+      note(task, SearchStage::kAligned, object, a.hypothesis.camera_from_object);
     report->counts = {{"hypotheses", double(hypotheses.size())}, {"aligned", double(moved.size())}};
     return moved;
   });
@@ -122,8 +127,11 @@ std::vector<Candidate> judgeHypotheses(const SearchTask& task, int object, Hypot
       report->counts["verified"] += candidate.has_value();
       if (!candidate) continue;
 
+      note(task, SearchStage::kVerified, object, candidate->pose.camera_from_object);
       candidate->kind = a.hypothesis.kind;
-      if (bearsOut(task, &*candidate)) known.push_back(std::move(*candidate));
+      if (!bearsOut(task, &*candidate)) continue;
+      note(task, SearchStage::kRecorded, object, candidate->pose.camera_from_object);
+      known.push_back(std::move(*candidate));
     }
   });
   return known;

@@ -1,50 +1,29 @@
 #include "recognition/object_search.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "recognition/explained_features.h"
 #include "recognition/judging.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kExplainedShare = 0.7;  // of a segment's points claimed: it is explained
-constexpr double kSurelyRight = 0.9;     // only such objects explain features away during the search
-constexpr int kAnswersFor = 3;           // edge points to either side that a claimed one answers for
+constexpr double kSurelyRight = 0.9;  // only such objects explain features away during the search
 
-// Edge points that surely right explanations claim. A contour sample answers for the points up to half a step
-// to either side of it.
-std::vector<char> explainedPoints(const FeatureSet& features, const std::vector<Candidate>& candidates,
-                                  const std::vector<Explanation>& chosen) {
-  std::vector<char> claimed(features.points.size(), 0);
+// A flag per segment: no surely right explanation claims it.
+std::vector<char> unexplainedSegments(const FeatureSet& features, const std::vector<Candidate>& candidates,
+                                      const std::vector<Explanation>& chosen) {
+  std::vector<int> claimed;
   for (const Explanation& explanation : chosen) {
     const Candidate& candidate = candidates[explanation.candidate];
     if (candidate.probability < kSurelyRight) continue;
-    for (int point : candidate.claimed) claimed[point] = 1;
+    claimed.insert(claimed.end(), candidate.claimed.begin(), candidate.claimed.end());
   }
-
-  std::vector<char> explained = claimed;
-  for (const EdgeTrace& trace : features.traces) {
-    const int last = trace.first + trace.count - 1;
-    for (int i = trace.first; i <= last; ++i)
-      if (claimed[i])
-        for (int k = std::max(trace.first, i - kAnswersFor); k <= std::min(last, i + kAnswersFor); ++k)
-          explained[k] = 1;
-  }
-  return explained;
-}
-
-// A flag per segment: not explained yet.
-std::vector<char> unexplainedSegments(const FeatureSet& features, const std::vector<Candidate>& candidates,
-                                      const std::vector<Explanation>& chosen) {
-  const std::vector<char> explained = explainedPoints(features, candidates, chosen);
+  const std::vector<char> explained = explainedPoints(features, claimed);
 
   std::vector<char> unexplained;
-  for (const LineSegment& segment : features.segments) {
-    int count = 0;
-    for (int i = segment.first; i < segment.first + segment.count; ++i) count += explained[i];
-    unexplained.push_back(count < kExplainedShare * segment.count);
-  }
+  for (const LineSegment& segment : features.segments)
+    unexplained.push_back(!isExplained(segment, explained));
   return unexplained;
 }
 
@@ -52,8 +31,7 @@ std::vector<char> unexplainedSegments(const FeatureSet& features, const std::vec
 
 SearchState searchGroupings(const SearchTask& task, WorkBudget* budget, StageLog* log) {
   SearchState state;
-  for (int object : task.wanted)
-    state.pools.emplace_back(task.image.camera, task.models[object], task.options);
+  for (int object : task.wanted) state.pools.emplace_back(task, object);
 
   const int objects = int(task.wanted.size());
   for (int i = 0; i < objects; ++i) {

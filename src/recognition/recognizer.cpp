@@ -13,6 +13,7 @@
 #include "recognition/object_search.h"
 #include "recognition/occlusion.h"
 #include "recognition/reporting.h"
+#include "recognition/search_trace.h"
 #include "recognition/twins.h"
 
 namespace monocular_eye_hand {
@@ -92,7 +93,10 @@ RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camer
   // The steps of Wong et al., 2.2. Step 1: groupings of the image; those of the models are at hand, and the
   // pairs of both are the branches of the search tree.
   SearchImage image = lookAtImage(grey, camera, base, options, &log);
-  const SearchTask searching{image, models, wanted, options};
+  std::optional<SearchTrace> trace;
+  if (!request.traced.empty() && !request.proposals)
+    trace.emplace(image, models, request.traced, double(camera.width) / image.camera.width);
+  const SearchTask searching{image, models, wanted, options, trace ? &*trace : nullptr};
 
   // Steps 2 to 6, or the poses that are given instead.
   SearchOutcome outcome;
@@ -126,6 +130,7 @@ RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camer
   // Step 7: output.
   RecognitionResult result = reportObjects(task, outcome, double(camera.width) / task.image.camera.width);
   if (request.judged) result.judged = listJudged(task, outcome);
+  if (trace) result.traces = trace->traces();
   result.truncated = budget.cutByTime();
   result.budget_spent = budget.cutByWork();
   if (result.objects.empty()) result.reason = whyNothing(task, outcome, result);

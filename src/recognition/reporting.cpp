@@ -107,6 +107,7 @@ JudgedCandidate reportJudged(const SearchTask& task, const Candidate& candidate)
   judged.plausibility = plausibility(weight, candidate.terms);
   judged.reliability = reliability(weight, candidate.terms);
   judged.probability = candidate.probability;
+  judged.strongest_against = strongestAgainst(task, candidate);
   judged.evidence = candidate.terms.named();
   judged.rank_score = rankScore(candidate);
   return judged;

@@ -7,12 +7,15 @@
 
 namespace monocular_eye_hand {
 
+class SearchTrace;
+
 /// What is searched for, and in which image. Refers to what must outlive it.
 struct SearchTask {
   const SearchImage& image;  ///< with groupings and evidence
   const std::vector<SearchModel>& models;
   const std::vector<int>& wanted;  ///< the models that are searched for, ascending
   const RecognitionOptions& options;
+  SearchTrace* trace = nullptr;  ///< listens to the search; nullptr: nobody does
 };
 
 }  // namespace monocular_eye_hand

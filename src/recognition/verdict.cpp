@@ -16,6 +16,10 @@ constexpr double kWorthTelling = 0.15;  // log-odds
 
 std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
 
+std::vector<TermContribution> weighed(const SearchTask& task, const Candidate& candidate) {
+  return contributions(decisionValues(candidate.terms), task.options.decision);
+}
+
 // The strongest terms for (or against) the candidate, in words.
 std::vector<std::string> strongest(std::vector<TermContribution> contributions, bool against) {
   if (against) std::reverse(contributions.begin(), contributions.end());
@@ -74,10 +78,9 @@ Verdict verdictOn(const SearchTask& task, const std::vector<Candidate>& candidat
     verdict.decision = Decision::kRejected;
   else
     verdict.decision = twin ? Decision::kAmbiguous : Decision::kAccepted;
-  const std::vector<TermContribution> weighed =
-      contributions(decisionValues(best.terms), task.options.decision);
-  verdict.spoke_for = strongest(weighed, false);
-  verdict.spoke_against = strongest(weighed, true);
+  const std::vector<TermContribution> terms = weighed(task, best);
+  verdict.spoke_for = strongest(terms, false);
+  verdict.spoke_against = strongest(terms, true);
   verdict.reason = whyDecided(verdict, best, task.options.accept_probability);
   return verdict;
 }
@@ -96,6 +99,11 @@ std::vector<Verdict> decide(const SearchTask& task, const std::vector<Candidate>
     report->counts = {{"found", double(chosen.size()) - rejected}, {"rejected", double(rejected)}};
     return verdicts;
   });
+}
+
+std::string strongestAgainst(const SearchTask& task, const Candidate& candidate) {
+  const TermContribution last = weighed(task, candidate).back();
+  return -last.log_odds < kWorthTelling ? "" : decisionTerms()[size_t(last.term)].words;
 }
 
 }  // namespace monocular_eye_hand

@@ -22,4 +22,7 @@ struct Verdict {
 std::vector<Verdict> decide(const SearchTask& task, const std::vector<Candidate>& candidates,
                             const std::vector<Explanation>& chosen, StageLog* log);
 
+/// JudgedCandidate::strongest_against of a candidate.
+std::string strongestAgainst(const SearchTask& task, const Candidate& candidate);
+
 }  // namespace monocular_eye_hand

@@ -35,6 +35,16 @@ std::string fateText(const JudgedPose& pose) {
   return (pose.fate == JudgedPose::kRejected ? "was rejected" : "was suppressed") + p;
 }
 
+std::string pixelsOrNone(double value) { return std::isfinite(value) ? pixels(value) : "none"; }
+
+// How near the search came, stage by stage.
+std::string traceText(const TracedTruth& traced) {
+  return " In the search: groupings of its own " + std::to_string(traced.groupings) + "; nearest generated " +
+         pixelsOrNone(traced.generated) + ", taken " + pixelsOrNone(traced.taken) + ", aligned " +
+         pixelsOrNone(traced.aligned) + ", verified " + pixelsOrNone(traced.verified) + ", recorded " +
+         pixelsOrNone(traced.recorded) + ".";
+}
+
 std::vector<std::pair<std::string, std::string>> termsOf(const JudgedPose& pose) {
   std::vector<std::pair<std::string, std::string>> terms;
   for (const auto& [term, value] : pose.evidence) terms.emplace_back(term, shortNumber(value));
@@ -127,7 +137,7 @@ std::string CaseCards::missedText(const MissedObject& missed) const {
   const JudgedPose& pose = run_.judged[size_t(missed.nearest)];
   if (!pose.right()) text += "No candidate within 10 px was judged. ";
   if (missed.turned) text += "One has its place and size in another orientation. ";
-  text += (pose.right() ? "Its candidate " : "The nearest one, ") + pixels(missed.lost.nearest_px) +
+  text += (pose.right() ? "Its candidate " : "The nearest one, ") + pixels(pose.errors.mspd) +
           (pose.right() ? " off " : " off, ") + fateText(pose);
   if (missed.lost.stage == LostAt::kFoundElsewhere) text += " and counts for another instance";
   const bool why = !missed.lost.by.empty() && pose.fate != JudgedPose::kReported;
@@ -141,7 +151,7 @@ HtmlPage::Card CaseCards::missed(const MissedObject& missed) {
   card.title = partName(truth.object) + ", " + place(truth.scene, truth.image);
   card.badge = missed.limit.empty() ? name(missed.lost.stage) : "limit";
   card.badge_class = missed.limit.empty() ? "rejected" : "ambiguous";
-  card.text = missedText(missed);
+  card.text = missedText(missed) + (missed.traced ? traceText(*missed.traced) : "");
   if (missed.nearest >= 0) {
     const JudgedPose& pose = run_.judged[size_t(missed.nearest)];
     outlines.push_back({&model(truth.object), pose.camera_from_object, kCandidateColour});

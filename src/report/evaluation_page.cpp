@@ -230,8 +230,8 @@ class EvaluationPageWriter {
 
   void missedCases() {
     const auto in_frame = [this](const TruthOutcome& truth) { return cards_.inFrame(truth); };
-    const auto missed =
-        missedObjects(run_.split, run_.models, run_.outcomes, run_.judged, run_.limits, in_frame);
+    const auto missed = missedObjects(run_.split, run_.models, run_.outcomes, run_.judged, run_.traced,
+                                      run_.limits, in_frame);
     page_.heading("Missed", "missed");
     intro(missed.size(), "wanted instances were missed", "the most visible and largest first");
     page_.legend(caseColours());

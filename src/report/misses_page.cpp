@@ -15,7 +15,7 @@ void causeTable(const std::vector<CauseCount>& causes, size_t all, HtmlPage* pag
 std::string writeMissesPage(const std::string& folder, const EvaluatedRun& run) {
   createFolder(folder);
   CaseCards cards(folder, run);
-  const auto missed = missedObjects(run.split, run.models, run.outcomes, run.judged, run.limits,
+  const auto missed = missedObjects(run.split, run.models, run.outcomes, run.judged, run.traced, run.limits,
                                     [&](const TruthOutcome& truth) { return cards.inFrame(truth); });
   const auto wrong = wrongAccepts(run.split, run.models, run.outcomes, run.judged);
 

@@ -17,6 +17,7 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/report/evaluation_pages.h"
 #include "support.h"
+#include "traced_truths.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -78,6 +79,7 @@ struct Run {
   std::vector<BopResult> results;
   std::vector<BopResult> reported;  // without the rejected ones that --all adds
   std::vector<JudgedPose> judged;   // for the pages
+  std::vector<TracedTruth> traced;  // for the misses
   ImageTimes times;
 };
 
@@ -100,6 +102,8 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
   Run run;
   for (const BopImage& image : split.images) {
     if (!args.proposals.empty()) request.proposals = dumped.of(image, ids);
+    const std::vector<int> truths = args.misses.empty() ? std::vector<int>() : wantedTruths(image, ids);
+    request.traced = posesToTrace(image, truths, ids);
     const CameraImage input = source.load(image);
     const auto start = std::chrono::steady_clock::now();
     const RecognitionResult result = recognizer.recognize(input.grey, input.camera, request);
@@ -111,6 +115,8 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
     if (dump) dump->add(image, result.judged, ids);
     for (JudgedPose& pose : judgedPoses(result, ids, image, int(run.judged.size())))
       run.judged.push_back(std::move(pose));
+    for (const TracedTruth& traced : tracedTruths(result.traces, image, truths, args.scale))
+      run.traced.push_back(traced);
     char text[100];
     std::snprintf(text, sizeof text, "scene %d image %d: %zu objects in %.3f s", image.scene, image.id,
                   result.objects.size(), seconds);
@@ -185,6 +191,7 @@ void writePages(const Arguments& args, const BopSplit& split, const BopModels& m
       judgeRun(split, models, run.reported),
       run.times,
       measured(run.judged, split, models),
+      run.traced,
       searchLimits(recognizer.options(), split.width, args.scale),
       [&](const BopImage& image) { return source.load(image); }};
 

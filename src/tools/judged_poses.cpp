@@ -10,13 +10,19 @@ JudgedPose::Fate fateOf(const JudgedCandidate& candidate) {
   return candidate.fate == Fate::kRejected ? JudgedPose::kRejected : JudgedPose::kReported;
 }
 
-// A rejected candidate stands among the rejected objects, too, with the reason in words.
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& one : words) text += (text.empty() ? "" : "; ") + one;
+  return text;
+}
+
+// A rejected candidate stands among the rejected objects, too, with what spoke against it in words.
 std::string rejection(const RecognitionResult& result, const JudgedCandidate& candidate) {
   const Rigid3& pose = candidate.camera_from_object;
   for (const ObjectEstimate& object : result.rejected)
     if (object.object == candidate.object && object.camera_from_object.translation == pose.translation &&
         object.camera_from_object.rotation == pose.rotation)
-      return object.reason;
+      return joined(object.spoke_against);
   return "";
 }
 
@@ -50,6 +56,7 @@ std::vector<JudgedPose> judgedPoses(const RecognitionResult& result, const std::
     pose.fate = fateOf(candidate);
     if (candidate.suppressed_by >= 0) pose.suppressed_by = first + candidate.suppressed_by;
     pose.against = whatSpokeAgainst(result, candidate);
+    pose.strongest_against = candidate.strongest_against;
     pose.evidence = candidate.evidence;
     poses.push_back(std::move(pose));
   }

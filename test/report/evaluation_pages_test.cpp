@@ -92,7 +92,8 @@ class EvaluationPages : public testing::Test {
     made.probability = probability;
     made.camera_from_object = at;
     made.fate = fate;
-    made.against = fate == JudgedPose::kRejected ? "probability 0.3 below 0.5: edges <run> on" : "";
+    made.against = fate == JudgedPose::kRejected ? "edges <run> on 0.3 (usually 0)" : "";
+    made.strongest_against = fate == JudgedPose::kRejected ? "edges <run> on" : "";
     made.evidence = {{"edge <support>", 0.875}};
     return made;
   }
@@ -105,6 +106,7 @@ class EvaluationPages : public testing::Test {
             judgeRun(split_, models_, results_),
             {{{1, 0}, 0.25}, {{1, 1}, 0.75}},
             measured(judged_, split_, models_),
+            traced_,
             {},
             load_};
   }
@@ -129,6 +131,7 @@ class EvaluationPages : public testing::Test {
   ModelBase known_;
   std::vector<BopResult> results_;
   std::vector<JudgedPose> judged_;
+  std::vector<TracedTruth> traced_;
   std::function<CameraImage(const BopImage&)> load_ = [](const BopImage&) { return image(); };
 };
 
@@ -175,6 +178,22 @@ TEST_F(EvaluationPages, the_misses_begin_with_the_causes) {
   EXPECT_THAT(html, HasSubstr("<td>1</td><td>100 %</td><td>rejected: edges &lt;run&gt; on</td>"));
   EXPECT_THAT(html, HasSubstr("<td>1</td><td>100 %</td><td>on clutter</td>"));
   EXPECT_EQ(pictures(html).size(), 2u);
+}
+
+TEST_F(EvaluationPages, a_missed_object_says_how_near_the_search_came) {
+  judged_.clear();
+  TracedTruth traced;
+  traced.scene = 1;
+  traced.image = 1;
+  traced.groupings = 7;
+  traced.generated = 12, traced.taken = 14, traced.aligned = 3;
+  traced_ = {traced};
+  const std::string html = readFile(writeMissesPage(folder_, run()));
+  EXPECT_EQ(nestingFault(html), "");
+  EXPECT_THAT(html, HasSubstr("<td>aligned, not verified</td>"));
+  EXPECT_THAT(html,
+              HasSubstr("groupings of its own 7; nearest generated 12.0 px, taken 14.0 px, aligned 3.0 px, "
+                        "verified none, recorded none."));
 }
 
 TEST_F(EvaluationPages, an_object_beyond_a_limit_is_told_as_such) {

@@ -127,6 +127,15 @@ TEST_F(Evaluate, report_comparison_and_misses_are_pages) {
   EXPECT_THAT(misses, HasSubstr("0 wanted instances"));
 }
 
+TEST_F(Evaluate, misses_say_how_near_the_search_came_unless_poses_were_given) {
+  const std::string strict = "--scenes 1 --images 0 --misses why --set accept_probability=0.999999 ";
+  ASSERT_EQ(evaluate(strict + "--dump d.csv").code, 0);
+  EXPECT_THAT(readText(path("why/index.html")), HasSubstr("In the search: groupings of its own "));
+  ASSERT_EQ(evaluate(strict + "--proposals d.csv").code, 0);
+  EXPECT_THAT(readText(path("why/index.html")),
+              AllOf(HasSubstr("rejected"), testing::Not(HasSubstr("In the search"))));
+}
+
 TEST_F(Evaluate, bad_input_is_told_before_the_work) {
   const auto refusal = [&](const std::string& arguments) {
     const ProgramResult result = run(EVALUATE_PROGRAM, arguments);

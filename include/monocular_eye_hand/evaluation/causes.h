@@ -1,32 +1,14 @@
 #pragma once
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/evaluation/lost_at.h"
 #include "monocular_eye_hand/evaluation/outcomes.h"
 
 namespace monocular_eye_hand {
-
-/// Where on its way through recognition a wanted instance was lost, the earliest stage first.
-struct LostAt {
-  enum Stage {
-    kNoGrouping,      ///< no grouping of its features
-    kNotGenerated,    ///< no hypothesis near
-    kNotAligned,      ///< ... none that reached the edges
-    kNotVerified,     ///< ... none that was worth judging
-    kNotJudged,       ///< no candidate near, and it is not known at which of the stages above it was lost
-    kRejected,        ///< a right candidate was too improbable
-    kSuppressed,      ///< a right candidate fell to another explanation
-    kFoundElsewhere,  ///< a right row is there, but counts for another instance
-  };
-  Stage stage = kNotJudged;
-  /// MSPD of the nearest hypothesis at the last stage that had one within 10 px, or of the nearest at all.
-  double nearest_px = std::numeric_limits<double>::infinity();
-  std::string by;  ///< the terms that spoke against it, or who suppressed it
-};
-/// For people: "rejected".
-const char* name(LostAt::Stage stage);
 
 /// The limits that an instance or its candidate may lie beyond (RecognitionOptions).
 struct SearchLimits {
@@ -40,7 +22,8 @@ struct SearchLimits {
 struct MissedObject {
   TruthOutcome truth;
   LostAt lost;
-  int nearest = -1;     ///< the judged pose of its object nearest to it (MSPD), in the list given; -1: none
+  int nearest = -1;  ///< the judged pose of its object nearest to it (MSPD), in the list given; -1: none
+  std::optional<TracedTruth> traced;  ///< how near the search came to it, when that is known
   bool turned = false;  ///< nothing within 10 px was judged, but its object in its place, turned
   std::string limit;    ///< which limit of the search excludes it, with both numbers; "" = none
   std::string cause;    ///< short, without numbers of its own: what is counted
@@ -68,10 +51,12 @@ struct WrongAccept {
 using InFrame = std::function<double(const TruthOutcome&)>;
 
 /// Every wanted instance that was not found and what is known of why; worst first: those inside the limits of
-/// the search, the most visible, the largest. `judged` as measured() gave it; `in_frame` may be empty.
+/// the search, the most visible, the largest. `judged` as measured() gave it; `traced`: of the run's search,
+/// those that are known; `in_frame` may be empty.
 std::vector<MissedObject> missedObjects(const BopSplit& split, const BopModels& models,
                                         const RunOutcomes& run, const std::vector<JudgedPose>& judged,
-                                        const SearchLimits& limits, const InFrame& in_frame);
+                                        const std::vector<TracedTruth>& traced, const SearchLimits& limits,
+                                        const InFrame& in_frame);
 
 /// Every row that is not right, the surest first.
 std::vector<WrongAccept> wrongAccepts(const BopSplit& split, const BopModels& models, const RunOutcomes& run,

@@ -71,6 +71,7 @@ struct JudgedPose {
   Fate fate = kRejected;
   int suppressed_by = -1;  ///< index in the list of all poses; -1: not suppressed, or not known
   std::string against;     ///< for people: what spoke against it, or which better explanation suppressed it
+  std::string strongest_against;  ///< the term most against it, without its value; "": none is, or not known
   std::map<std::string, double> evidence;  ///< terms of the decision by name
 
   // Filled by measure():

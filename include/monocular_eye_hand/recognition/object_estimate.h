@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <map>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -59,11 +60,12 @@ const char* name(Fate fate);
 struct JudgedCandidate {
   int object = -1;  ///< ModelBase::objects
   std::string name;
-  std::string kind;           ///< of the grouping that its hypothesis came from, as name(GroupingKind)
-  Rigid3 camera_from_object;  ///< of a chosen one as reported, of a suppressed one as verified
-  double plausibility = 0;    ///< as ObjectEstimate's
-  double reliability = 0;     ///< as ObjectEstimate's
-  double probability = 0;     ///< calibrated probability that object and pose are right
+  std::string kind;               ///< of the grouping that its hypothesis came from, as name(GroupingKind)
+  Rigid3 camera_from_object;      ///< of a chosen one as reported, of a suppressed one as verified
+  double plausibility = 0;        ///< as ObjectEstimate's
+  double reliability = 0;         ///< as ObjectEstimate's
+  double probability = 0;         ///< calibrated probability that object and pose are right
+  std::string strongest_against;  ///< what DecisionTerm::words says of the term most against it; "": none is
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
   /// Order of choice: sum^(1/4) * (probability + 0.05), `sum` of the terms in `evidence`.
   double rank_score = 0;
@@ -79,10 +81,24 @@ struct StageReport {
   std::map<std::string, double> counts;
 };
 
+/// How near the search for an object came to a pose: distance of the nearest pose that reached a stage of the
+/// search; infinity when none did. Measured at the corner of the part's bounding box that is farthest off,
+/// modulo the part's symmetries [px of the given image].
+struct PoseTrace {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  int groupings = 0;         ///< of the image, all of whose features answer the object's contour in this pose
+  double generated = kNone;  ///< hypotheses, as they came from groupings and edges
+  double taken = kNone;      ///< ... that ranked high enough to be looked at further
+  double aligned = kNone;    ///< ... when they had been moved onto the edges coarsely
+  double verified = kNone;   ///< the best of these in different poses, moved finely, compared with the image
+  double recorded = kNone;   ///< ... that the image bears out: the candidates
+};
+
 struct RecognitionResult {
   std::vector<ObjectEstimate> objects;   ///< accepted and ambiguous, best first
   std::vector<ObjectEstimate> rejected;  ///< candidates that were chosen and rejected, best first
   std::vector<JudgedCandidate> judged;   ///< RecognitionRequest::judged: all candidates, as they came up
+  std::vector<PoseTrace> traces;         ///< one per RecognitionRequest::traced; empty without a search
   std::string reason;                    ///< when nothing is found: why
   bool truncated = false;                ///< the time limit left work undone
   bool budget_spent = false;             ///< the budget left groupings unused
@@ -105,6 +121,10 @@ struct RecognitionRequest {
   /// Poses to decide on instead of searching: moved onto the edges and judged as what a search finds.
   std::optional<std::vector<PoseProposal>> proposals;
   bool judged = false;  ///< fill RecognitionResult::judged, for fitting and studying decisions; costs time
+  /// Poses in front of the camera whose way through the search is told (RecognitionResult::traces), for
+  /// studying what is not found; changes no answer. Not used with `proposals`, which are not
+  /// searched for.
+  std::vector<PoseProposal> traced;
 };
 
 }  // namespace monocular_eye_hand

@@ -21,7 +21,8 @@ struct EvaluatedRun {
   const ModelBase& known;  ///< object k is the k-th of `models`
   RunOutcomes outcomes;    ///< of what was reported
   ImageTimes times;
-  std::vector<JudgedPose> judged;  ///< as measured() gave them; empty: only what was reported is known
+  std::vector<JudgedPose> judged;   ///< as measured() gave them; empty: only what was reported is known
+  std::vector<TracedTruth> traced;  ///< how near the search came to wanted instances, as far as that is known
   SearchLimits limits;
   /// The image and camera that recognition was given. Throws BadInput when there is none: the pages say so.
   std::function<CameraImage(const BopImage&)> load;
