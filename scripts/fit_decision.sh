@@ -10,10 +10,10 @@ count=${2:-8}
 
 install_packages build ros test corpus
 build_targets all
-[ -e "$corpus/parts/parts.json" ] || python3 "$root/benchmark/corpus/make_parts.py" --out "$corpus/parts"
+[ -e "$corpus/parts/parts.json" ] || /usr/bin/python3 "$root/benchmark/corpus/make_parts.py" --out "$corpus/parts"
 for appearance in plain mixed; do
   say "scenes, $appearance"
-  python3 "$root/benchmark/corpus/make_scenes.py" --parts "$corpus/parts" --out "$corpus/$appearance" \
+  /usr/bin/python3 "$root/benchmark/corpus/make_scenes.py" --parts "$corpus/parts" --out "$corpus/$appearance" \
     --programs "$programs" --count "$count" --appearance "$appearance"
 done
 "$programs/fit_decision" "$corpus"/plain/*/dump.csv "$corpus"/mixed/*/dump.csv --out "$root/config/decision.yaml" \

@@ -8,6 +8,7 @@
 #include "monocular_eye_hand/model/object_model.h"
 #include "monocular_eye_hand/pose/refine.h"
 #include "monocular_eye_hand/recognition/evidence_terms.h"
+#include "monocular_eye_hand/recognition/lead.h"
 
 namespace monocular_eye_hand {
 
@@ -50,6 +51,7 @@ struct Candidate {
   std::vector<Occluder> occluders;  ///< verify() does not miss what they hide
   cv::Rect bounding_box;
   double probability = 0;
+  Lead lead;  ///< weighAmongOthers(): over the others of its object
 };
 
 constexpr int kCoverCell = 8;  ///< side of the cells that measure overlap [px]

@@ -10,6 +10,9 @@ namespace {
 constexpr double kMaxOverlap = 0.3;  // of the smaller drawing: explanations may not share more faces
 constexpr double kEvidencePower =
     0.25;  // of the evidence in the rank: it settles what the probability leaves open
+// Log-odds of its own below which a candidate stays improbable whatever its lead: what it conflicts with is
+// not looked up.
+constexpr double kHopeless = -7;
 constexpr double kMaxClaimed = 0.5;  // share of edge points already claimed by better explanations
 
 int commonCount(const std::vector<int>& a, const std::vector<int>& b) {
@@ -41,6 +44,26 @@ std::vector<std::vector<int>> allConflicts(const std::vector<Candidate>& candida
       if (chosen != other && conflict(candidates[chosen], candidates[other]))
         conflicts[other].push_back(int(chosen));
   return conflicts;
+}
+
+std::vector<Candidate> weighAmongOthers(std::vector<Candidate> candidates, const DecisionWeights& weights) {
+  std::vector<Competitor> competitors;
+  for (const Candidate& candidate : candidates)
+    competitors.push_back({candidate.object, weights.logOdds(decisionValues(candidate.terms)), {}});
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    if (competitors[i].log_odds < kHopeless) continue;
+    for (size_t other = 0; other < candidates.size(); ++other)
+      if (other != i && candidates[other].object == candidates[i].object &&
+          (conflict(candidates[other], candidates[i]) || conflict(candidates[i], candidates[other])))
+        competitors[i].conflicts.push_back(int(other));
+  }
+
+  const std::vector<Lead> leads = leadsAmong(competitors);
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    candidates[i].lead = leads[i];
+    candidates[i].probability = weights.probability(competitors[i].log_odds, leads[i]);
+  }
+  return candidates;
 }
 
 double probability(const EvidenceTerms& terms, const DecisionWeights& weights) {

@@ -9,11 +9,25 @@
 #include "monocular_eye_hand/options/options.h"
 
 namespace monocular_eye_hand {
+namespace {
 
-double DecisionWeights::probability(const std::vector<double>& values) const {
+double logistic(double log_odds) { return 1 / (1 + std::exp(-std::clamp(log_odds, -50.0, 50.0))); }
+
+}  // namespace
+
+double DecisionWeights::logOdds(const std::vector<double>& values) const {
   double log_odds = bias;
   for (size_t k = 0; k < terms.size(); ++k) log_odds += terms[k].weight * values[k];
-  return 1 / (1 + std::exp(-std::clamp(log_odds, -50.0, 50.0)));
+  return log_odds;
+}
+
+double DecisionWeights::probability(const std::vector<double>& values) const {
+  return logistic(logOdds(values));
+}
+
+double DecisionWeights::probability(double log_odds, const Lead& ahead) const {
+  return logistic(lead.bias + lead.own * log_odds + lead.over_most.weight * ahead.over_most +
+                  lead.elsewhere.weight * ahead.elsewhere + lead.in_place.weight * ahead.in_place);
 }
 
 void DecisionWeights::check() const {
@@ -21,15 +35,25 @@ void DecisionWeights::check() const {
   for (size_t k = 0; k < terms.size(); ++k)
     if (!std::isfinite(terms[k].weight) || !std::isfinite(terms[k].typical))
       throw BadInput(std::string("decision: ") + decisionTerms()[k].name + " is not finite");
+  for (double value :
+       {lead.bias, lead.own, lead.over_most.weight, lead.over_most.typical, lead.elsewhere.weight,
+        lead.elsewhere.typical, lead.in_place.weight, lead.in_place.typical})
+    if (!std::isfinite(value)) throw BadInput("decision: a weight of lead is not finite");
 }
 
-std::vector<TermContribution> contributions(const std::vector<double>& values,
+std::vector<TermContribution> contributions(const std::vector<double>& values, const Lead& lead,
                                             const DecisionWeights& weights) {
   std::vector<TermContribution> all;
+  const auto add = [&](const char* words, const TermWeight& term, double value) {
+    all.push_back({words, term.weight * (value - term.typical), value, term.typical});
+  };
   for (size_t k = 0; k < values.size(); ++k) {
-    const auto& [weight, typical] = weights.terms[k];
-    all.push_back({int(k), weight * (values[k] - typical), values[k], typical});
+    add(decisionTerms()[k].words, weights.terms[k], values[k]);
+    all.back().log_odds *= weights.lead.own;
   }
+  add("lead over most other poses of it in log-odds", weights.lead.over_most, lead.over_most);
+  add("lead over its best other places in log-odds", weights.lead.elsewhere, lead.elsewhere);
+  add("lead over its other poses here in log-odds", weights.lead.in_place, lead.in_place);
   std::stable_sort(all.begin(), all.end(), [](const TermContribution& a, const TermContribution& b) {
     return a.log_odds > b.log_odds;
   });
@@ -39,7 +63,7 @@ std::vector<TermContribution> contributions(const std::vector<double>& values,
 std::string inWords(const TermContribution& c) {
   char numbers[60];
   std::snprintf(numbers, sizeof numbers, " %.2f (usually %.2f)", c.value, c.typical);
-  return decisionTerms()[size_t(c.term)].words + std::string(numbers);
+  return c.words + std::string(numbers);
 }
 
 DecisionWeights fittedWeights() {

@@ -121,6 +121,9 @@ RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camer
 
   // 2.4: the pose is calculated again from the best four, and fine-tuned by all features that are redundant.
   candidates = recalculateBestFour(task, std::move(candidates), outcome.chosen, &log);
+
+  // What is right stands out among the other poses of its object.
+  candidates = weighAmongOthers(std::move(candidates), options.decision);
   outcome.chosen = chooseExplanations(candidates);
   outcome.verdicts = decide(task, candidates, outcome.chosen, &log);
   outcome.poses = refineChosen(task, candidates, outcome.chosen, grey, camera, &log);

@@ -9,7 +9,8 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kOtherPose = 10.0;  // poses farther apart than this in the image are really different [px]
-constexpr double kTwin = 0.85;  // of the better one's rank; with less, by far, a rival is but a part of it
+// Of the better one's evidence and probability together; with less, by far, a rival is but a part of it.
+constexpr double kTwin = 0.85;
 
 constexpr size_t kWords = 3;            // terms told for and against
 constexpr double kWorthTelling = 0.15;  // log-odds
@@ -17,7 +18,7 @@ constexpr double kWorthTelling = 0.15;  // log-odds
 std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
 
 std::vector<TermContribution> weighed(const SearchTask& task, const Candidate& candidate) {
-  return contributions(decisionValues(candidate.terms), task.options.decision);
+  return contributions(decisionValues(candidate.terms), candidate.lead, task.options.decision);
 }
 
 // The strongest terms for (or against) the candidate, in words.
@@ -71,7 +72,7 @@ Verdict verdictOn(const SearchTask& task, const std::vector<Candidate>& candidat
                                                           best.pose.camera_from_object) > kOtherPose;
     if (!other) continue;
     verdict.alternatives.push_back({rival.object, rival.pose.camera_from_object, rival.probability});
-    twin = twin || rankScore(rival) > kTwin * rankScore(best);
+    twin = twin || rival.terms.sum * rival.probability > kTwin * best.terms.sum * best.probability;
   }
 
   if (best.probability < task.options.accept_probability)
@@ -103,7 +104,7 @@ std::vector<Verdict> decide(const SearchTask& task, const std::vector<Candidate>
 
 std::string strongestAgainst(const SearchTask& task, const Candidate& candidate) {
   const TermContribution last = weighed(task, candidate).back();
-  return -last.log_odds < kWorthTelling ? "" : decisionTerms()[size_t(last.term)].words;
+  return -last.log_odds < kWorthTelling ? "" : last.words;
 }
 
 }  // namespace monocular_eye_hand

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "csv_table.h"
-#include "decision_fit.h"
+#include "monocular_eye_hand/evaluation/outcomes.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
@@ -51,7 +51,7 @@ CandidateDump::Row CandidateDump::measured(const BopImage& image, const JudgedCa
     row.errors = errors;
     row.visible = image.truth[k].visible;
   }
-  if (row.truth < 0 || row.errors.mspd < kRightPixels) return row;
+  if (row.truth < 0 || row.errors.mspd < kRightError) return row;
 
   const GroundTruth& truth = image.truth[size_t(row.truth)];
   const Rigid3& pose = candidate.camera_from_object;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -14,18 +13,20 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr int kMostSteps = 60;
-constexpr double kStretchPrior = 1;  // on shift and stretch: few chosen ones change them little
-constexpr double kLongestStep = 3;   // of any weight of a standardised term, in one step
+constexpr double kLeadPrior = 1;    // on the weights of the lead: few chosen ones change them little
+constexpr double kLongestStep = 3;  // of any weight of a standardised term, in one step
 
-// Near copies share the weight of one: n of them count sqrt(n) together.
+// Near copies share the weight of one: n of them count sqrt(n) together. What is undecidable counts nothing.
 std::vector<double> sampleWeights(const std::vector<JudgedSample>& samples) {
   using Group = std::tuple<std::string, std::string, std::string>;
   const auto groupOf = [](const JudgedSample& s) { return Group{s.image, s.part, s.right ? s.truth : ""}; };
   std::map<Group, int> sizes;
-  for (const JudgedSample& sample : samples) ++sizes[groupOf(sample)];
+  for (const JudgedSample& sample : samples)
+    if (!sample.undecidable) ++sizes[groupOf(sample)];
 
   std::vector<double> weights;
-  for (const JudgedSample& sample : samples) weights.push_back(1 / std::sqrt(double(sizes[groupOf(sample)])));
+  for (const JudgedSample& sample : samples)
+    weights.push_back(sample.undecidable ? 0 : 1 / std::sqrt(double(sizes[groupOf(sample)])));
   return weights;
 }
 
@@ -97,6 +98,12 @@ std::vector<double> typicalValues(const std::vector<JudgedSample>& samples) {
   return typical;
 }
 
+std::map<std::string, std::vector<size_t>> samplesByImage(const std::vector<JudgedSample>& samples) {
+  std::map<std::string, std::vector<size_t>> images;
+  for (size_t i = 0; i < samples.size(); ++i) images[samples[i].image].push_back(i);
+  return images;
+}
+
 // Parts dealt out in the order of their names.
 std::map<std::string, int> foldOfPart(const std::vector<JudgedSample>& samples, int folds) {
   std::map<std::string, int> fold;
@@ -134,11 +141,11 @@ DecisionWeights fitDecision(const std::vector<JudgedSample>& samples, const Deci
   return weights;
 }
 
-std::vector<double> probabilitiesLeftOut(const std::vector<JudgedSample>& samples,
-                                         const DecisionFitOptions& options) {
+std::vector<double> logOddsLeftOut(const std::vector<JudgedSample>& samples,
+                                   const DecisionFitOptions& options) {
   options.check();
   const std::map<std::string, int> fold = foldOfPart(samples, options.folds);
-  std::vector<double> probabilities(samples.size());
+  std::vector<double> log_odds(samples.size());
   for (int left_out = 0; left_out < options.folds; ++left_out) {
     std::vector<JudgedSample> seen;
     for (const JudgedSample& sample : samples)
@@ -147,19 +154,16 @@ std::vector<double> probabilitiesLeftOut(const std::vector<JudgedSample>& sample
 
     const DecisionWeights weights = fitDecision(seen, options);
     for (size_t i = 0; i < samples.size(); ++i)
-      if (fold.at(samples[i].part) == left_out) probabilities[i] = weights.probability(samples[i].values);
+      if (fold.at(samples[i].part) == left_out) log_odds[i] = weights.logOdds(samples[i].values);
   }
-  return probabilities;
+  return log_odds;
 }
 
 std::vector<size_t> chosenSamples(const std::vector<JudgedSample>& samples,
-                                  const std::vector<double>& probabilities) {
-  std::map<std::string, std::vector<size_t>> images;
-  for (size_t i = 0; i < samples.size(); ++i) images[samples[i].image].push_back(i);
-
-  const auto rank = [&](size_t i) { return samples[i].rank_base * (probabilities[i] + 0.05); };
+                                  const std::vector<double>& log_odds) {
+  const auto rank = [&](size_t i) { return samples[i].rank_base * (logistic(log_odds[i]) + 0.05); };
   std::vector<size_t> all_chosen;
-  for (auto& [image, order] : images) {
+  for (auto [image, order] : samplesByImage(samples)) {
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return rank(a) > rank(b); });
     std::set<int> chosen;
     for (size_t i : order) {
@@ -173,45 +177,69 @@ std::vector<size_t> chosenSamples(const std::vector<JudgedSample>& samples,
   return all_chosen;
 }
 
-DecisionWeights calibratedOnChosen(DecisionWeights weights, const std::vector<JudgedSample>& samples,
-                                   const std::vector<double>& left_out) {
-  const std::vector<size_t> chosen = chosenSamples(samples, left_out);
-  Eigen::Vector2d line(0, 1);  // shift and stretch of the log-odds
+std::vector<Lead> leadsOf(const std::vector<JudgedSample>& samples, const std::vector<double>& log_odds) {
+  std::vector<Lead> leads(samples.size());
+  for (const auto& [image, members] : samplesByImage(samples)) {
+    std::map<int, int> place_of_index;
+    std::map<std::string, int> object_of_part;
+    for (size_t k = 0; k < members.size(); ++k) {
+      const JudgedSample& sample = samples[members[k]];
+      place_of_index[sample.index] = int(k);
+      object_of_part.emplace(sample.part, int(object_of_part.size()));
+    }
+
+    std::vector<Competitor> competitors;
+    for (size_t i : members) {
+      Competitor competitor{object_of_part.at(samples[i].part), log_odds[i], {}};
+      for (int index : samples[i].conflicts) {
+        const auto place = place_of_index.find(index);
+        if (place != place_of_index.end()) competitor.conflicts.push_back(place->second);
+      }
+      competitors.push_back(std::move(competitor));
+    }
+
+    const std::vector<Lead> among = leadsAmong(competitors);
+    for (size_t k = 0; k < members.size(); ++k) leads[members[k]] = among[k];
+  }
+  return leads;
+}
+
+LeadWeights fitLead(const std::vector<JudgedSample>& samples, const std::vector<double>& left_out) {
+  using Vector5d = Eigen::Matrix<double, 5, 1>;
+  const std::vector<Lead> leads = leadsOf(samples, left_out);
+  const auto regressors = [&](size_t i) {
+    return (Vector5d() << 1, left_out[i], leads[i].over_most, leads[i].elsewhere, leads[i].in_place)
+        .finished();
+  };
+  std::vector<size_t> teaching;
+  for (size_t i : chosenSamples(samples, left_out))
+    if (!samples[i].undecidable) teaching.push_back(i);
+
+  const Vector5d start = Vector5d::Unit(1);  // the log-odds as they are
+  Vector5d line = start, typical = Vector5d::Zero();
   for (int step = 0; step < kMostSteps; ++step) {
-    Eigen::Matrix2d hessian = kStretchPrior * Eigen::Matrix2d::Identity();
-    Eigen::Vector2d gradient = -kStretchPrior * (line - Eigen::Vector2d(0, 1));
-    for (size_t i : chosen) {
-      const double p = std::clamp(left_out[i], 1e-6, 1 - 1e-6);
-      const Eigen::Vector2d a(1, std::log(p / (1 - p)));
+    Eigen::Matrix<double, 5, 5> hessian = Vector5d::Constant(kLeadPrior).asDiagonal();
+    Vector5d gradient = -kLeadPrior * (line - start);
+    for (size_t i : teaching) {
+      const Vector5d a = regressors(i);
       const double q = logistic(a.dot(line));
       gradient += (samples[i].right - q) * a;
       hessian += q * (1 - q) * a * a.transpose();
     }
-    const Eigen::Vector2d move = hessian.ldlt().solve(gradient);
-    line += move;
-    if (move.cwiseAbs().maxCoeff() < 1e-9) break;
+    const Vector5d move = hessian.ldlt().solve(gradient);
+    const double longest = move.cwiseAbs().maxCoeff();
+    line += move * std::min(1.0, kLongestStep / std::max(longest, 1e-30));
+    if (longest < 1e-9) break;
   }
 
-  weights.bias = line[0] + line[1] * weights.bias;
-  for (TermWeight& term : weights.terms) term.weight *= line[1];
-  return weights;
-}
-
-double calibrationError(const std::vector<double>& probabilities, const std::vector<JudgedSample>& samples,
-                        int bins) {
-  std::vector<size_t> order(samples.size());
-  std::iota(order.begin(), order.end(), size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return probabilities[a] < probabilities[b]; });
-  double error = 0;
-  for (int bin = 0; bin < bins; ++bin) {
-    const size_t begin = order.size() * size_t(bin) / size_t(bins);
-    const size_t end = order.size() * size_t(bin + 1) / size_t(bins);
-    double difference = 0;
-    for (size_t k = begin; k < end; ++k) difference += probabilities[order[k]] - samples[order[k]].right;
-    error += std::abs(difference);
+  int right = 0;
+  for (size_t i : teaching) {
+    if (!samples[i].right) continue;
+    typical += regressors(i);
+    ++right;
   }
-  return samples.empty() ? 0 : error / double(samples.size());
+  typical /= std::max(1, right);
+  return {line[0], line[1], {line[2], typical[2]}, {line[3], typical[3]}, {line[4], typical[4]}};
 }
 
 }  // namespace monocular_eye_hand

@@ -12,6 +12,8 @@
 
 #include "csv_table.h"
 #include "decision_fit.h"
+#include "monocular_eye_hand/evaluation/outcomes.h"
+#include "monocular_eye_hand/evaluation/statistics.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
 #include "support.h"
@@ -26,11 +28,6 @@ struct Arguments {
   double undecidable = 0.06;
 };
 
-struct Material {
-  std::vector<JudgedSample> samples;
-  int left_out = 0;  // wrong ones that no image tells from the truth
-};
-
 // Columns of a dump that hold evidence terms.
 std::map<std::string, int> termColumns(const CsvTable& table) {
   std::map<std::string, int> columns;
@@ -38,7 +35,7 @@ std::map<std::string, int> termColumns(const CsvTable& table) {
   return columns;
 }
 
-void readDump(const std::string& path, double undecidable, Material* material) {
+void readDump(const std::string& path, double undecidable, std::vector<JudgedSample>* samples) {
   const CsvTable table(path);
   const std::map<std::string, int> terms = termColumns(table);
   const int scene = table.column("scene_id"), image = table.column("im_id"), name = table.column("name");
@@ -49,13 +46,9 @@ void readDump(const std::string& path, double undecidable, Material* material) {
     JudgedSample sample;
     sample.image = path + " " + table.text(row, scene) + " " + table.text(row, image);
     sample.part = table.text(row, name);
-    sample.right = !table.text(row, error).empty() && table.number(row, error) < kRightPixels;
+    sample.right = !table.text(row, error).empty() && table.number(row, error) < kRightError;
     if (sample.right) sample.truth = table.text(row, truth);
-    if (!sample.right && table.number(row, adi, 1) < undecidable) {
-      ++material->left_out;
-      continue;
-    }
-
+    sample.undecidable = !sample.right && table.number(row, adi, 1) < undecidable;
     sample.index = int(table.number(row, index));
     std::istringstream list(table.text(row, conflicts));
     for (int other = 0; list >> other;) sample.conflicts.push_back(other);
@@ -63,27 +56,27 @@ void readDump(const std::string& path, double undecidable, Material* material) {
     std::map<std::string, double> named;
     for (const auto& [term, column] : terms) named[term] = table.number(row, column);
     sample.values = decisionValues(evidenceTerms(named));
-    material->samples.push_back(std::move(sample));
+    samples->push_back(std::move(sample));
   }
 }
 
-void printReliability(const std::vector<double>& probabilities, const std::vector<JudgedSample>& samples) {
-  std::printf("probability   candidates   mean   right   (parts left out in turn)\n");
+void printReliability(const std::vector<Prediction>& predictions) {
+  std::printf("probability   chosen   mean   right   (parts left out in turn)\n");
   const double edges[] = {0, 0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0001};
   for (size_t k = 0; k + 1 < std::size(edges); ++k) {
     double sum = 0, right = 0;
     int count = 0;
-    for (size_t i = 0; i < samples.size(); ++i) {
-      if (probabilities[i] < edges[k] || probabilities[i] >= edges[k + 1]) continue;
+    for (const Prediction& prediction : predictions) {
+      if (prediction.probability < edges[k] || prediction.probability >= edges[k + 1]) continue;
       ++count;
-      sum += probabilities[i];
-      right += samples[i].right;
+      sum += prediction.probability;
+      right += prediction.right;
     }
     if (count)
-      std::printf("%.2f - %.2f   %10d  %.3f   %.3f\n", edges[k], std::min(1.0, edges[k + 1]), count,
+      std::printf("%.2f - %.2f   %6d  %.3f   %.3f\n", edges[k], std::min(1.0, edges[k + 1]), count,
                   sum / count, right / count);
   }
-  std::printf("expected calibration error %.4f\n", calibrationError(probabilities, samples));
+  std::printf("expected calibration error %.4f\n", calibrationError(reliabilityBins(predictions)));
 }
 
 void printWeights(const DecisionWeights& weights, const std::vector<JudgedSample>& samples) {
@@ -108,38 +101,44 @@ void printWeights(const DecisionWeights& weights, const std::vector<JudgedSample
     std::printf("  %+.2f  %s\n", weights.terms[k].weight * spread[k], decisionTerms()[k].name);
 }
 
-void printChosen(const std::vector<double>& left_out, const std::vector<JudgedSample>& samples) {
+// What the decision would come to with log-odds that have not seen the part.
+void printChosen(const std::vector<JudgedSample>& samples, const std::vector<double>& left_out,
+                 const DecisionWeights& weights) {
+  const std::vector<Lead> leads = leadsOf(samples, left_out);
+  std::vector<Prediction> predictions;
   int accepted = 0, right = 0;
   std::set<std::pair<std::string, std::string>> found, there;
   for (const JudgedSample& sample : samples)
     if (sample.right) there.insert({sample.image, sample.truth});
   for (size_t i : chosenSamples(samples, left_out)) {
-    if (left_out[i] < 0.5) continue;
+    const double probability = weights.probability(left_out[i], leads[i]);
+    if (!samples[i].undecidable) predictions.push_back({probability, samples[i].right});
+    if (probability < 0.5) continue;
     ++accepted;
     right += samples[i].right;
     if (samples[i].right) found.insert({samples[i].image, samples[i].truth});
   }
+  printReliability(predictions);
   std::printf(
-      "of the chosen at 0.5 and above, before their calibration: %d right of %d; %zu of %zu instances that "
-      "have a right candidate\n",
+      "of the chosen at 0.5 and above: %d right of %d; %zu of %zu instances that have a right candidate\n",
       right, accepted, found.size(), there.size());
 }
 
 int fitDecisionTool(const Arguments& args) {
-  Material material;
-  for (const std::string& dump : args.dumps) readDump(dump, args.undecidable, &material);
-  const auto right = std::count_if(material.samples.begin(), material.samples.end(),
-                                   [](const JudgedSample& s) { return s.right; });
-  std::printf("%zu candidates, %ld right; %d wrong ones left out that no image tells from the truth\n",
-              material.samples.size(), long(right), material.left_out);
+  std::vector<JudgedSample> samples;
+  for (const std::string& dump : args.dumps) readDump(dump, args.undecidable, &samples);
+  const auto count = [&](bool JudgedSample::*flag) {
+    return std::count_if(samples.begin(), samples.end(), [&](const JudgedSample& s) { return s.*flag; });
+  };
+  std::printf("%zu candidates, %ld right; %ld wrong ones left out that no image tells from the truth\n",
+              samples.size(), long(count(&JudgedSample::right)), long(count(&JudgedSample::undecidable)));
 
-  const std::vector<double> left_out = probabilitiesLeftOut(material.samples, args.fit);
-  DecisionWeights weights =
-      calibratedOnChosen(fitDecision(material.samples, args.fit), material.samples, left_out);
+  const std::vector<double> left_out = logOddsLeftOut(samples, args.fit);
+  DecisionWeights weights = fitDecision(samples, args.fit);
+  weights.lead = fitLead(samples, left_out);
   weights.source = args.source;
-  printWeights(weights, material.samples);
-  printReliability(left_out, material.samples);
-  printChosen(left_out, material.samples);
+  printWeights(weights, samples);
+  printChosen(samples, left_out, weights);
 
   std::ofstream file(args.out);
   file

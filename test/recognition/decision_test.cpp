@@ -75,6 +75,9 @@ EvidenceTerms goodTerms() {
   t.chance_mean = 0.1;
   t.chance_inner = 0.1, t.excess = 1.5, t.repeated = 0.2, t.view_area = 0.8, t.extent = 0.9,
   t.complexity = 1.8;
+  t.offset = 0.15;
+  t.precise_features = 12;
+  t.shading = 0.8;
   return t;
 }
 
@@ -157,14 +160,34 @@ TEST(Contributions, add_up_to_the_difference_from_a_typical_candidate) {
   std::vector<double> typical;
   for (const TermWeight& term : weights.terms) typical.push_back(term.typical);
   const std::vector<double> values = decisionValues(middleTerms(0.4));
+  const Lead lead{3, 1, -0.5};
+  const Lead usual{weights.lead.over_most.typical, weights.lead.elsewhere.typical,
+                   weights.lead.in_place.typical};
   const auto logit = [](double p) { return std::log(p / (1 - p)); };
 
-  const std::vector<TermContribution> all = contributions(values, weights);
+  const std::vector<TermContribution> all = contributions(values, lead, weights);
   double sum = 0;
   for (const TermContribution& c : all) sum += c.log_odds;
-  EXPECT_NEAR(sum, logit(weights.probability(values)) - logit(weights.probability(typical)), 1e-6);
+  EXPECT_NEAR(sum,
+              logit(weights.probability(weights.logOdds(values), lead)) -
+                  logit(weights.probability(weights.logOdds(typical), usual)),
+              1e-6);
   for (size_t k = 1; k < all.size(); ++k) EXPECT_GE(all[k - 1].log_odds, all[k].log_odds);
-  EXPECT_EQ(inWords({1, 0.5, 0.25, 1.5}), std::string(decisionTerms()[1].words) + " 0.25 (usually 1.50)");
+  EXPECT_EQ(inWords({"hits", 0.5, 0.25, 1.5}), "hits 0.25 (usually 1.50)");
+}
+
+TEST(LeadWeights, by_default_leave_the_probability_as_it_is) {
+  DecisionWeights weights = fittedWeights();
+  weights.lead = {};
+  const double log_odds = weights.logOdds(decisionValues(goodTerms()));
+  EXPECT_EQ(weights.probability(log_odds, {-2, 8, 3}), probability(goodTerms(), weights));
+}
+
+TEST(LeadWeights, that_were_fitted_favour_what_stands_out) {
+  const DecisionWeights weights = fittedWeights();
+  const double among_equals = weights.probability(0, {0, 0, 0}), alone = weights.probability(0, {8, 8, 8});
+  EXPECT_GT(alone, 0.5);
+  EXPECT_LT(among_equals, 0.2);
 }
 
 TEST(RankScore, more_evidence_and_probability_lift_it) {
@@ -195,6 +218,16 @@ Candidate candidate(double strength, int first_cell, int cells, int first_point,
   c.claimed.resize(size_t(points));
   std::iota(c.claimed.begin(), c.claimed.end(), first_point);
   return c;
+}
+
+TEST(WeighAmongOthers, of_equal_candidates_the_one_without_a_rival_is_likelier) {
+  std::vector<Candidate> candidates{candidate(50, 0, 100, 0, 60), candidate(50, 20, 100, 200, 60),
+                                    candidate(50, 500, 100, 400, 60)};
+  candidates = weighAmongOthers(std::move(candidates), fittedWeights());
+  EXPECT_EQ(candidates[0].lead.in_place, 0) << "the second one lies in its place";
+  EXPECT_EQ(candidates[1].lead.in_place, 0);
+  EXPECT_EQ(candidates[2].lead.in_place, 8) << "nothing else is there";
+  EXPECT_GT(candidates[2].probability, candidates[0].probability);
 }
 
 TEST(ChooseExplanations, apart_all_are_chosen_the_best_first) {

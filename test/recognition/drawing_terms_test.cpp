@@ -50,6 +50,20 @@ TEST_F(Box, its_edges_hang_together) {
   EXPECT_LT(chance.run, right.run);
 }
 
+TEST_F(Box, lies_precisely_on_its_edges_and_by_chance_on_others) {
+  const EvidenceTerms right = terms(true), chance = terms(false, checks_), absent = terms(false);
+  EXPECT_LT(right.offset, 0.3);
+  EXPECT_GE(right.precise_features, 7);
+  EXPECT_GT(chance.offset, right.offset + 0.3);
+  EXPECT_LT(chance.precise_features, 3);
+  EXPECT_EQ(absent.precise_features, 0);
+}
+
+TEST_F(Box, one_light_explains_its_faces_and_no_pattern) {
+  EXPECT_GT(terms(true).shading, 0.9);
+  EXPECT_LT(terms(false, checks_).shading, 0.3);
+}
+
 TEST_F(Box, that_is_not_there_is_missed_on_flat_ground) {
   const EvidenceTerms right = terms(true), absent = terms(false);
   EXPECT_LT(right.outline_bare, 0.05);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/recognition/decision_terms.h"
+#include "monocular_eye_hand/recognition/lead.h"
 
 namespace monocular_eye_hand {
 
@@ -18,34 +19,58 @@ struct TermWeight {
   }
 };
 
-/// Weights of the evidence in the log-odds that a candidate is right: a logistic regression. They belong
-/// together: change all of them by a new fit (tool fit_decision), or none.
+/// How the candidate's own log-odds and its lead over the others make the log-odds in the end. The default
+/// leaves them as they are.
+struct LeadWeights {
+  double bias = 0;
+  double own = 1;  ///< on the log-odds by the candidate's evidence alone
+  TermWeight over_most, elsewhere, in_place;
+
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("bias", bias);
+    v("own", own);
+    v("over_most", over_most);
+    v("elsewhere", elsewhere);
+    v("in_place", in_place);
+  }
+};
+
+/// Weights of the evidence in the log-odds that a candidate is right: a logistic regression, first on what
+/// speaks for the candidate alone, then on that and its lead over the others. They belong together: change
+/// all of them by a new fit (tool fit_decision), or none.
 struct DecisionWeights {
   std::string source;  ///< when and on what they were fitted
   double bias = 0;
   std::vector<TermWeight> terms = std::vector<TermWeight>(decisionTerms().size());  ///< as decisionTerms()
 
-  /// Probability that a candidate with these values (decisionValues) is right.
+  LeadWeights lead;
+
+  /// Log-odds and probability that a candidate with these values (decisionValues) is right, looked at alone.
+  double logOdds(const std::vector<double>& values) const;
   double probability(const std::vector<double>& values) const;
+  /// ... looked at among the others of its object. `log_odds`: of its values alone.
+  double probability(double log_odds, const Lead& ahead) const;
 
   template <class Visitor>
   void visit(Visitor&& v) {
     v("source", source);
     v("bias", bias);
     for (size_t k = 0; k < terms.size(); ++k) v(decisionTerms()[k].name, terms[k]);
+    v("lead", lead);
   }
   void check() const;  ///< throws BadInput naming a weight that is not finite
 };
 
 /// What a term adds to the log-odds of a candidate, compared with a typical right one.
 struct TermContribution {
-  int term = 0;  ///< decisionTerms()
+  const char* words = "";  ///< for people, as the subject of a sentence
   double log_odds = 0;
   double value = 0, typical = 0;
 };
 
-/// The contributions of all terms, what speaks for the candidate first.
-std::vector<TermContribution> contributions(const std::vector<double>& values,
+/// The contributions of all terms and of the lead, what speaks for the candidate first.
+std::vector<TermContribution> contributions(const std::vector<double>& values, const Lead& lead,
                                             const DecisionWeights& weights);
 
 /// "share of the contour with an edge under it 0.31 (usually 0.88)"

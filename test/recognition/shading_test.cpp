@@ -1,0 +1,46 @@
+// How well one light explains the greys of faces.
+#include "recognition/shading.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace monocular_eye_hand {
+namespace {
+
+// Pixels of a ball of random looks under ambient light and one lamp, with noise.
+std::vector<ShadedPixel> litBall(int count, double noise) {
+  std::mt19937 random(3);
+  std::normal_distribution<float> normal;
+  const Eigen::Vector3f light(30, -60, -70);
+  std::vector<ShadedPixel> pixels;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3f n = Eigen::Vector3f(normal(random), normal(random), normal(random)).normalized();
+    pixels.push_back({n, 120 + light.dot(n) + float(noise) * normal(random)});
+  }
+  return pixels;
+}
+
+TEST(Shading, of_a_lit_body_is_explained) { EXPECT_GT(shadingExplained(litBall(400, 3)), 0.97); }
+
+TEST(Shading, highlights_do_not_bend_the_light) {
+  std::vector<ShadedPixel> pixels = litBall(400, 3);
+  for (size_t i = 0; i < 40; ++i) pixels[i].grey = 255;
+  EXPECT_GT(shadingExplained(pixels), 0.7);
+}
+
+TEST(Shading, that_has_nothing_to_do_with_the_normals_is_not) {
+  std::vector<ShadedPixel> pixels = litBall(400, 3);
+  for (size_t i = 0; i < pixels.size(); ++i) pixels[i].grey = float(40 + (i * 7919) % 180);
+  EXPECT_LT(shadingExplained(pixels), 0.1);
+}
+
+TEST(Shading, of_one_flat_face_or_a_few_pixels_tells_nothing) {
+  std::vector<ShadedPixel> flat = litBall(400, 3);
+  for (size_t i = 0; i < flat.size(); ++i) flat[i] = {{0, 0, -1}, float(100 + i % 5)};
+  EXPECT_NEAR(shadingExplained(flat), 0, 0.1);
+  EXPECT_EQ(shadingExplained(litBall(20, 3)), 0);
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
