@@ -26,6 +26,10 @@ void absenceTerms(const ObjectModel& model, const SearchImage& image, Candidate*
 /// How much of the drawing the same place would answer by chance: the drawing shifted by 11 and 19 px.
 void chanceTerms(const SearchImage& image, Candidate* candidate);
 
+/// Image edges that run on where the drawing ends: past the end of a model edge, past the claimed part of a
+/// segment.
+void runOnTerms(const ObjectModel& model, const SearchImage& image, Candidate* candidate);
+
 /// Image edges that run through the outline: where the part lay over them they would end.
 void crossingTerms(const SearchImage& image, Candidate* candidate);
 

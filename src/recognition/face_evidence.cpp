@@ -100,6 +100,7 @@ int countLeaving(const SearchImage& image, const std::map<int, int>& pixels_of_t
   return leaving;
 }
 
+// Pixels near a drawn line, within the box.
 cv::Mat contourBand(const Candidate& candidate, const cv::Rect& box) {
   cv::Mat band = cv::Mat::zeros(box.size(), CV_8U);
   const int radius = int(kContourBand);
@@ -110,78 +111,145 @@ cv::Mat contourBand(const Candidate& candidate, const cv::Rect& box) {
   return band;
 }
 
-}  // namespace
+// A pixel of the lattice that the part covers.
+struct DrawnPixel {
+  int u, v;
+  int triangle;
+  double distance;  // from the camera [m]
+};
 
-void faceTerms(const ObjectModel& model, const SearchImage& context, Candidate* candidate) {
-  EvidenceTerms& terms = candidate->terms;
-  const cv::Rect box = candidate->bounding_box;
-  if (box.area() <= 0) return;
-  const Rigid3 object_from_camera = candidate->pose.camera_from_object.inverse();
-  const cv::Mat band = contourBand(*candidate, box);
-  int step = 2;  // a lattice common to all candidates, so that covered cells compare
+int latticeStep(const cv::Rect& box) {
+  int step = 2;
   while (step < kCoverCell && box.area() / (step * step) > kMaxRays) step *= 2;
+  return step;
+}
+
+// The lattice is common to all candidates, so that covered cells compare.
+std::vector<DrawnPixel> drawnPixels(const ObjectModel& model, const SearchImage& image,
+                                    const Candidate& candidate, int step) {
+  const cv::Rect& box = candidate.bounding_box;
+  const Rigid3 object_from_camera = candidate.pose.camera_from_object.inverse();
   const auto firstOnLattice = [step](int start, int origin) {
     return start + ((origin - start) % step + step) % step;
   };
-  DrawnArea area{box, step, cv::Mat_<uint8_t>::zeros(box.height / step + 2, box.width / step + 2)};
-  std::map<int, int> pixels_of_trace;
-  std::map<int, std::vector<FacePixel>> by_surface;
-  std::vector<cv::Point2f> drawn;
-  std::vector<ShadedPixel> shaded;
-  int interior = 0, unexplained = 0, hits = 0;
-  const int cells_x = (context.domain.width + kCoverCell - 1) / kCoverCell;
-  for (int v = firstOnLattice(box.y, context.domain.v0); v < box.y + box.height; v += step)
-    for (int u = firstOnLattice(box.x, context.domain.u0); u < box.x + box.width; u += step) {
+  std::vector<DrawnPixel> pixels;
+  for (int v = firstOnLattice(box.y, image.domain.v0); v < box.y + box.height; v += step)
+    for (int u = firstOnLattice(box.x, image.domain.u0); u < box.x + box.width; u += step) {
       const Eigen::Vector3d ray =
-          (object_from_camera.rotation * context.camera.ray({double(u), double(v)})).normalized();
+          (object_from_camera.rotation * image.camera.ray({double(u), double(v)})).normalized();
       const RayScene::Hit hit = model.rays->cast(object_from_camera.translation, ray);
-      if (!hit.hit) continue;
-      ++hits;
-      area.drawn((v - box.y) / step, (u - box.x) / step) = 1;
-      drawn.emplace_back(float(u), float(v));
-      const auto hides = [&](const Occluder& o) {
-        return o.hides(context.camera, {double(u), double(v)}, hit.distance);
-      };
-      if (std::any_of(candidate->occluders.begin(), candidate->occluders.end(), hides)) continue;
-      const int x = u - context.domain.u0, y = v - context.domain.v0;
-      candidate->covered.push_back((y / kCoverCell) * cells_x + x / kCoverCell);
-      const int surface = model.surface_of_triangle[hit.triangle];
-      if (!context.domain.contains(u, v)) continue;
-      const float grey = float(context.rect_grey.at<uint8_t>(y, x));
-      const Eigen::Vector3d normal =
-          candidate->pose.camera_from_object.rotation * normalOf(model.mesh, hit.triangle);
-      shaded.push_back({normal.cast<float>(), grey});
-      auto& pixels = by_surface[surface];
-      if (band.at<uint8_t>(v - box.y, u - box.x)) continue;
-      pixels.push_back({float(u), float(v), grey});
-      ++interior;
-      int edge = -1;
-      for (int dy = -1; dy <= 1 && edge < 0; ++dy)
-        for (int dx = -1; dx <= 1 && edge < 0; ++dx) edge = context.raster.indexAt(u + dx, v + dy);
-      if (edge < 0) continue;
-      ++unexplained;
-      ++pixels_of_trace[context.trace_of_point[size_t(edge)]];
+      if (hit.hit) pixels.push_back({u, v, hit.triangle, hit.distance});
     }
-  std::sort(candidate->covered.begin(), candidate->covered.end());
-  candidate->covered.erase(std::unique(candidate->covered.begin(), candidate->covered.end()),
-                           candidate->covered.end());
-  terms.shading = shadingExplained(shaded);
-  int off = 0;
-  for (const auto& [surface, pixels] : by_surface)
-    off += countOffShading(pixels, model.surfaces[surface].kind != Surface::Kind::kPlane);
-  terms.faces = double(by_surface.size());
-  terms.interior = interior > 0 ? double(unexplained) / interior : 0;
-  const int leaving = countLeaving(context, pixels_of_trace, area);
-  terms.through = interior > 0 ? double(leaving) / interior : 0;
-  terms.print = interior > 0 ? double(unexplained - leaving) / interior : 0;
-  terms.off_face = interior > 0 ? double(off) / interior : 0;
-  terms.size = std::sqrt(double(hits)) * step;
-  if (drawn.size() >= 3) {
-    std::vector<cv::Point2f> hull;
-    cv::convexHull(drawn, hull);
-    const double area = cv::contourArea(hull) + step * cv::arcLength(hull, true) / 2 + step * step;
-    terms.solidity = std::min(1.0, double(hits) * step * step / area);
+  return pixels;
+}
+
+DrawnArea drawnArea(const std::vector<DrawnPixel>& pixels, const cv::Rect& box, int step) {
+  DrawnArea area{box, step, cv::Mat_<uint8_t>::zeros(box.height / step + 2, box.width / step + 2)};
+  for (const DrawnPixel& p : pixels) area.drawn((p.v - box.y) / step, (p.u - box.x) / step) = 1;
+  return area;
+}
+
+// Drawn area over that of its convex hull.
+double solidityOf(const std::vector<DrawnPixel>& pixels, int step) {
+  if (pixels.size() < 3) return 0;
+  std::vector<cv::Point2f> points, hull;
+  for (const DrawnPixel& p : pixels) points.emplace_back(float(p.u), float(p.v));
+  cv::convexHull(points, hull);
+  const double area = cv::contourArea(hull) + step * cv::arcLength(hull, true) / 2 + step * step;
+  return std::min(1.0, double(pixels.size()) * step * step / area);
+}
+
+// Those that no surely recognised object hides.
+std::vector<DrawnPixel> unhidden(std::vector<DrawnPixel> pixels, const SearchImage& image,
+                                 const Candidate& candidate) {
+  const auto isHidden = [&](const DrawnPixel& p) {
+    return std::any_of(candidate.occluders.begin(), candidate.occluders.end(), [&](const Occluder& o) {
+      return o.hides(image.camera, {double(p.u), double(p.v)}, p.distance);
+    });
+  };
+  pixels.erase(std::remove_if(pixels.begin(), pixels.end(), isHidden), pixels.end());
+  return pixels;
+}
+
+// Cells of kCoverCell px, ascending.
+std::vector<int> coveredCells(const std::vector<DrawnPixel>& pixels, const RectDomain& domain) {
+  const int cells_x = (domain.width + kCoverCell - 1) / kCoverCell;
+  std::vector<int> cells;
+  for (const DrawnPixel& p : pixels)
+    cells.push_back(((p.v - domain.v0) / kCoverCell) * cells_x + (p.u - domain.u0) / kCoverCell);
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+// The image edge under a pixel or beside it; -1: none.
+int edgeAt(const SearchImage& image, int u, int v) {
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int edge = image.raster.indexAt(u + dx, v + dy);
+      if (edge >= 0) return edge;
+    }
+  return -1;
+}
+
+// What the visible faces show inside the image.
+struct FaceLook {
+  std::map<int, std::vector<FacePixel>> by_surface;  // pixels away from drawn lines
+  std::vector<ShadedPixel> shaded;                   // all
+  std::map<int, int> pixels_of_trace;                // on edges that the model does not explain
+  int interior = 0, unexplained = 0;
+};
+
+FaceLook lookAtFaces(const ObjectModel& model, const SearchImage& image, const Candidate& candidate,
+                     const std::vector<DrawnPixel>& pixels) {
+  const cv::Rect& box = candidate.bounding_box;
+  const cv::Mat band = contourBand(candidate, box);
+  FaceLook look;
+  for (const DrawnPixel& p : pixels) {
+    if (!image.domain.contains(p.u, p.v)) continue;
+    const float grey = float(image.rect_grey.at<uint8_t>(p.v - image.domain.v0, p.u - image.domain.u0));
+    const Eigen::Vector3d normal =
+        candidate.pose.camera_from_object.rotation * normalOf(model.mesh, p.triangle);
+    look.shaded.push_back({normal.cast<float>(), grey});
+    std::vector<FacePixel>& face = look.by_surface[model.surface_of_triangle[p.triangle]];
+    if (band.at<uint8_t>(p.v - box.y, p.u - box.x)) continue;
+
+    face.push_back({float(p.u), float(p.v), grey});
+    ++look.interior;
+    const int edge = edgeAt(image, p.u, p.v);
+    if (edge < 0) continue;
+    ++look.unexplained;
+    ++look.pixels_of_trace[image.trace_of_point[size_t(edge)]];
   }
+  return look;
+}
+
+}  // namespace
+
+void faceTerms(const ObjectModel& model, const SearchImage& image, Candidate* candidate) {
+  const cv::Rect& box = candidate->bounding_box;
+  if (box.area() <= 0) return;
+  const int step = latticeStep(box);
+  const std::vector<DrawnPixel> drawn = drawnPixels(model, image, *candidate, step);
+  const std::vector<DrawnPixel> seen = unhidden(drawn, image, *candidate);
+  const FaceLook look = lookAtFaces(model, image, *candidate, seen);
+  candidate->covered = coveredCells(seen, image.domain);
+
+  int off = 0;
+  for (const auto& [surface, pixels] : look.by_surface)
+    off += countOffShading(pixels, model.surfaces[surface].kind != Surface::Kind::kPlane);
+  const int leaving = countLeaving(image, look.pixels_of_trace, drawnArea(drawn, box, step));
+  const auto ofInterior = [&](int count) { return look.interior > 0 ? double(count) / look.interior : 0; };
+
+  EvidenceTerms& terms = candidate->terms;
+  terms.faces = double(look.by_surface.size());
+  terms.interior = ofInterior(look.unexplained);
+  terms.through = ofInterior(leaving);
+  terms.print = ofInterior(look.unexplained - leaving);
+  terms.off_face = ofInterior(off);
+  terms.shading = shadingExplained(look.shaded);
+  terms.size = std::sqrt(double(drawn.size())) * step;
+  terms.solidity = solidityOf(drawn, step);
 }
 
 }  // namespace monocular_eye_hand
