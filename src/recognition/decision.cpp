@@ -28,9 +28,19 @@ int commonCount(const std::vector<int>& a, const std::vector<int>& b) {
   return n;
 }
 
+// Whether nothing that is drawn within one box can share cells or edge points with the other: neither box is
+// known to be empty, and a cell lies between them.
+bool farApart(const cv::Rect& a, const cv::Rect& b) {
+  if (a.area() == 0 || b.area() == 0) return false;
+  const cv::Rect wider(a.x - kCoverCell, a.y - kCoverCell, a.width + 2 * kCoverCell,
+                       a.height + 2 * kCoverCell);
+  return (wider & b).area() == 0;
+}
+
 }  // namespace
 
 bool conflict(const Candidate& chosen, const Candidate& other) {
+  if (farApart(chosen.bounding_box, other.bounding_box)) return false;
   const size_t smaller = std::min(chosen.covered.size(), other.covered.size());
   if (smaller > 0 && commonCount(chosen.covered, other.covered) > kMaxOverlap * double(smaller)) return true;
   return !other.claimed.empty() &&

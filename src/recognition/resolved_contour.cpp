@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 namespace monocular_eye_hand {
 namespace {
@@ -29,6 +28,29 @@ bool sameLine(const SeenSample& a, const SeenSample& b) {
   return std::abs(across) < kOneLine && std::abs(along) < kBeside;
 }
 
+// Samples in the order of their features: the most telling first.
+std::vector<int> byStrength(const ObjectModel& model, const std::vector<SeenSample>& contour) {
+  struct Run {
+    int begin, end;
+    double strength;
+  };
+  std::vector<Run> runs;
+  for (int i = 0; i < int(contour.size()); ++i) {
+    const SeenSample& s = contour[size_t(i)];
+    const bool goes_on =
+        i > 0 && contour[size_t(i) - 1].group == s.group && contour[size_t(i) - 1].silhouette == s.silhouette;
+    if (!goes_on) runs.push_back({i, i, strength(model, s)});
+    runs.back().end = i + 1;
+  }
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const Run& a, const Run& b) { return a.strength > b.strength; });
+
+  std::vector<int> order;
+  for (const Run& run : runs)
+    for (int i = run.begin; i < run.end; ++i) order.push_back(i);
+  return order;
+}
+
 // The samples that are kept, found by the cell of kBeside px that they lie in. Cells share chains, which
 // costs a comparison now and then and makes the table small, whatever the image's size.
 class KeptSamples {
@@ -36,26 +58,25 @@ class KeptSamples {
   explicit KeptSamples(const std::vector<SeenSample>& contour)
       : contour_(contour), first_(kChains, -1), next_(contour.size(), -1) {}
 
-  void add(int i) {
-    int& first = first_[chain(contour_[size_t(i)].uv, 0, 0)];
-    next_[size_t(i)] = first;
-    first = i;
-  }
-
-  bool hold(const SeenSample& s) const {
+  // Keeps a sample unless a kept one is the same line.
+  bool keep(int i) {
+    const SeenSample& s = contour_[size_t(i)];
+    const int u = int(std::floor(s.uv.x() / kBeside)), v = int(std::floor(s.uv.y() / kBeside));
     for (int dv = -1; dv <= 1; ++dv)
       for (int du = -1; du <= 1; ++du)
-        for (int i = first_[chain(s.uv, du, dv)]; i >= 0; i = next_[size_t(i)])
-          if (sameLine(contour_[size_t(i)], s)) return true;
-    return false;
+        for (int k = first_[chain(u + du, v + dv)]; k >= 0; k = next_[size_t(k)])
+          if (sameLine(contour_[size_t(k)], s)) return false;
+
+    int& first = first_[chain(u, v)];
+    next_[size_t(i)] = first;
+    first = i;
+    return true;
   }
 
  private:
-  static constexpr uint32_t kChains = 4096;  // a power of two
-  static size_t chain(const Eigen::Vector2d& uv, int du, int dv) {
-    const uint32_t u = uint32_t(int(std::floor(uv.x() / kBeside)) + du);
-    const uint32_t v = uint32_t(int(std::floor(uv.y() / kBeside)) + dv);
-    return (u * 73856093u ^ v * 19349663u) & (kChains - 1);
+  static constexpr uint32_t kChains = 1024;  // a power of two
+  static size_t chain(int u, int v) {
+    return (uint32_t(u) * 73856093u ^ uint32_t(v) * 19349663u) & (kChains - 1);
   }
 
   const std::vector<SeenSample>& contour_;
@@ -64,25 +85,18 @@ class KeptSamples {
 
 }  // namespace
 
-std::vector<SeenSample> resolvedContour(const ObjectModel& model, const std::vector<SeenSample>& contour) {
-  std::vector<double> strengths;
-  for (const SeenSample& s : contour) strengths.push_back(strength(model, s));
-  std::vector<int> order(contour.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return strengths[size_t(a)] > strengths[size_t(b)]; });
-
+std::vector<size_t> resolvedSamples(const ObjectModel& model, const std::vector<SeenSample>& contour) {
   KeptSamples kept(contour);
-  std::vector<char> keep(contour.size(), 0);
-  for (int i : order) {
-    if (kept.hold(contour[size_t(i)])) continue;
-    kept.add(i);
-    keep[size_t(i)] = 1;
-  }
+  std::vector<size_t> resolved;
+  for (int i : byStrength(model, contour))
+    if (kept.keep(i)) resolved.push_back(size_t(i));
+  std::sort(resolved.begin(), resolved.end());
+  return resolved;
+}
 
+std::vector<SeenSample> resolvedContour(const ObjectModel& model, const std::vector<SeenSample>& contour) {
   std::vector<SeenSample> resolved;
-  for (size_t i = 0; i < contour.size(); ++i)
-    if (keep[i]) resolved.push_back(contour[i]);
+  for (size_t i : resolvedSamples(model, contour)) resolved.push_back(contour[i]);
   return resolved;
 }
 

@@ -9,6 +9,9 @@ namespace monocular_eye_hand {
 /// What of a drawn contour a camera can tell apart: of parallel lines of different features that run less
 /// than 2.5 px beside each other (the rims of a chamfer, of a sheet, of a fillet seen from afar) only the
 /// most telling one is kept, sample by sample: an outline before a crease, a sharp crease before a blunt one.
+/// The indices of those kept, ascending.
+std::vector<size_t> resolvedSamples(const ObjectModel& model, const std::vector<SeenSample>& contour);
+/// The same as a contour.
 std::vector<SeenSample> resolvedContour(const ObjectModel& model, const std::vector<SeenSample>& contour);
 
 }  // namespace monocular_eye_hand

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/model/equal_poses.h"
+#include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 constexpr int kLookupSide = 24;           // cells along one side of a cube face
 constexpr double kMinAnchorShare = 0.10;  // shortest ruler, as a share of the diameter
 constexpr double kMinAnchorVisible = 0.8;
+constexpr double kCoarseSize =
+    100;  // a part's diameter where its lines are told apart for the coarse score [px]
 constexpr double kSquare = 0.15;    // sides that differ by less of the larger one are taken for each other
 constexpr double kSameTurn = 0.06;  // rotations nearer than this are one [rad]
 
@@ -89,6 +92,25 @@ FlatView flatten(const SampledView& view, const Eigen::Matrix3d& rotation, const
   return flat;
 }
 
+// The view with what a camera can tell apart when the part fills kCoarseSize px.
+SampledView resolvedView(const ObjectModel& model, const SampledView& view, const Eigen::Matrix3d& rotation) {
+  const FlatView flat = flatten(view, rotation, model.centre(), 1);
+  std::vector<SeenSample> drawn;
+  for (size_t i = 0; i < view.contour.size(); ++i) {
+    SeenSample s;
+    s.p_in_object = view.contour[i].p;
+    s.uv = flat.place[i] * (kCoarseSize / model.diameter);
+    s.direction = flat.direction[i].normalized();
+    s.group = view.contour[i].group;
+    s.silhouette = view.contour[i].silhouette;
+    drawn.push_back(s);
+  }
+  SampledView resolved = view;
+  resolved.contour.clear();
+  for (size_t i : resolvedSamples(model, drawn)) resolved.contour.push_back(view.contour[i]);
+  return resolved;
+}
+
 // Mean distance between neighbouring samples of the same group.
 double sampleStepOf(const SampledView& view) {
   std::vector<double> gaps;
@@ -107,17 +129,18 @@ SearchModel::SearchModel(const KnownObject& object) : object_(&object), grouping
   for (const SampledView& view : object.views.views) {
     view_rotation_.push_back(lookAtRotation(view.direction));
     steps_.push_back(float(sampleStepOf(view)));
-    const FlatView flat = flatten(view, view_rotation_.back(), centre, steps_.back());
+    const SampledView resolved = resolvedView(model(), view, view_rotation_.back());
+    const FlatView flat = flatten(resolved, view_rotation_.back(), centre, steps_.back());
     std::vector<double> weight(flat.place.size());
     for (size_t i = 0; i < weight.size(); ++i) weight[i] = 1e3 + flat.place[i].norm();
     const std::vector<int> order = spreadOrder(flat.place, weight, 64);
     std::vector<ViewSample> samples;
     for (int i : order) {
-      const ContourSample& s = view.contour[i];
+      const ContourSample& s = resolved.contour[i];
       samples.push_back({s.p.cast<float>(), s.tangent.cast<float>(), s.group});
     }
     // Fewer samples stand for the same contour: the step grows accordingly.
-    if (!samples.empty()) steps_.back() *= float(view.contour.size()) / float(samples.size());
+    if (!samples.empty()) steps_.back() *= float(resolved.contour.size()) / float(samples.size());
     samples_.push_back(std::move(samples));
   }
   for (int i = 0; i < 8; ++i) extent_.push_back(model().bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
