@@ -40,10 +40,10 @@ void checkImage(const cv::Mat& grey, const Camera& camera) {
                    std::to_string(camera.height));
 }
 
-bool anyAccepted(const std::vector<Candidate>& candidates, const std::vector<Explanation>& chosen,
-                 double accept_probability) {
-  return std::any_of(chosen.begin(), chosen.end(), [&](const Explanation& explanation) {
-    return candidates[explanation.candidate].probability >= accept_probability;
+bool anyAccepted(const std::vector<Candidate>& candidates, const RecognitionOptions& options) {
+  const std::vector<Candidate> weighed = weighAmongOthers(candidates, options.decision);
+  return std::any_of(weighed.begin(), weighed.end(), [&](const Candidate& candidate) {
+    return candidate.probability >= options.accept_probability;
   });
 }
 
@@ -52,12 +52,11 @@ std::vector<Candidate> search(const SearchTask& task, bool one_is_enough, WorkBu
   // Steps 2 to 5: an unmatched pair makes a hypothesis, its characteristic view is laid on the image,
   // evaluated, and verified; what the image bears out is recorded as a candidate.
   SearchState found = searchGroupings(task, budget, log);
-  const std::vector<Explanation> chosen = chooseExplanations(found.candidates);
-  if (one_is_enough && anyAccepted(found.candidates, chosen, task.options.accept_probability))
-    return std::move(found.candidates);
+  if (one_is_enough && anyAccepted(found.candidates, task.options)) return std::move(found.candidates);
 
   // Step 6: again from step 2, with single edges, until all groupings have been used; the search for one
   // object ends when it has a plausible and reliable match.
+  const std::vector<Explanation> chosen = chooseExplanations(found.candidates);
   return searchEdges(task, std::move(found), chosen, budget, log).candidates;
 }
 
