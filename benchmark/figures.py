@@ -51,6 +51,17 @@ SCENE_LINE = re.compile(
     r"scene (\d+): found \S+ \((\d+)/(\d+)\) right \S+ \((\d+)/(\d+)\) AR (\S+) median (\S+) s")
 
 
+def corpus_folders(kind):
+    """Data sets of benchmark/corpus of this kind ("test", "absent", ...), below MONOCULAR_EYE_HAND_CORPUS."""
+    root = os.environ.get("MONOCULAR_EYE_HAND_CORPUS")
+    if not root:
+        raise CannotMeasure("set MONOCULAR_EYE_HAND_CORPUS to the folder of the test scenes, see benchmark/README.md")
+    folders = sorted(pathlib.Path(root).glob(f"{kind}_*"))
+    if not folders:
+        raise CannotMeasure(f"{root} holds no folder {kind}_*")
+    return folders
+
+
 def share(part, whole):
     return 100.0 * part / max(whole, 1)
 

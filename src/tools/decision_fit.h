@@ -20,7 +20,7 @@ struct JudgedSample {
 };
 
 struct DecisionFitOptions {
-  double ridge = 2;  ///< on weights of standardised terms; the bias is free
+  double ridge = 6;  ///< on weights of standardised terms; the bias is free
   int folds = 10;    ///< parts are dealt out to so many folds that are left out in turn
   void check() const;
 };
