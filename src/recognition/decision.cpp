@@ -8,8 +8,6 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kMaxOverlap = 0.3;  // of the smaller drawing: explanations may not share more faces
-constexpr double kEvidencePower =
-    0.25;  // of the evidence in the rank: it settles what the probability leaves open
 // Log-odds of its own below which a candidate stays improbable whatever its lead: what it conflicts with is
 // not looked up.
 constexpr double kHopeless = -7;
@@ -81,7 +79,7 @@ double probability(const EvidenceTerms& terms, const DecisionWeights& weights) {
 }
 
 double rankScore(const Candidate& candidate) {
-  return std::pow(std::max(0.0, candidate.terms.sum), kEvidencePower) * (candidate.probability + 0.05);
+  return std::sqrt(std::max(0.0, candidate.terms.sum)) * (candidate.probability + 0.05);
 }
 
 std::vector<Explanation> chooseExplanations(const std::vector<Candidate>& candidates) {

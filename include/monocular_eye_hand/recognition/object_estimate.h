@@ -67,7 +67,7 @@ struct JudgedCandidate {
   double probability = 0;         ///< calibrated probability that object and pose are right
   std::string strongest_against;  ///< what DecisionTerm::words says of the term most against it; "": none is
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
-  /// Order of choice: sum^(1/4) * (probability + 0.05), `sum` of the terms in `evidence`.
+  /// Order of choice: sum^(1/2) * (probability + 0.05), `sum` of the terms in `evidence`.
   double rank_score = 0;
   Fate fate = Fate::kSuppressed;
   int suppressed_by = -1;      ///< index in the list; -1: chosen
