@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -27,6 +28,43 @@ Distorted distortNormalized(const std::array<double, 8>& d, const Eigen::Vector2
   out.jacobian << g + 2 * x * x * dg + 2 * p1 * y + 6 * p2 * x, 2 * x * y * dg + 2 * p1 * x + 2 * p2 * y,
       2 * x * y * dg + 2 * p1 * x + 2 * p2 * y, g + 2 * y * y * dg + 6 * p1 * y + 2 * p2 * x;
   return out;
+}
+
+enum class LensName { kUnnamed, kNone, kPlumbBob, kRational, kInverse, kUnknown };
+
+/// Names as people write them: letters and digits count, capitals do not.
+LensName lensNamed(const std::string& name) {
+  std::string simple;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      simple += char(std::tolower(static_cast<unsigned char>(c)));
+  }
+  const std::pair<const char*, LensName> names[] = {
+      {"", LensName::kUnnamed},
+      {"none", LensName::kNone},
+      {"nodistortion", LensName::kNone},
+      {"undistorted", LensName::kNone},
+      {"pinhole", LensName::kNone},
+      {"perspective", LensName::kNone},
+      {"plumbbob", LensName::kPlumbBob},
+      {"radtan", LensName::kPlumbBob},
+      {"radialtangential", LensName::kPlumbBob},
+      {"brown", LensName::kPlumbBob},
+      {"brownconrady", LensName::kPlumbBob},
+      {"rationalpolynomial", LensName::kRational},
+      {"rational", LensName::kRational},
+      // These map from raw to rectified, or are of a driver that publishes zeros.
+      {"inversebrownconrady", LensName::kInverse},
+      {"modifiedbrownconrady", LensName::kInverse},
+  };
+  for (const auto& [known, lens] : names) {
+    if (simple == known) return lens;
+  }
+  return LensName::kUnknown;
+}
+
+bool areZero(const double* begin, const double* end) {
+  return std::all_of(begin, end, [](double value) { return value == 0; });
 }
 
 [[noreturn]] void refuse(const std::string& field, double value, const std::string& rule) {
@@ -86,6 +124,27 @@ Camera Camera::resized(double factor) const {
   return c;
 }
 
+Camera Camera::seenThrough(const PixelWindow& window) const {
+  const PixelWindow& w = window;
+  const auto inside = [](int begin, int length, int bin, int whole) {
+    return begin >= 0 && bin >= 1 && length >= bin && length <= whole && begin <= whole - length;
+  };
+  if (!inside(w.x, w.width, w.bin_x, width) || !inside(w.y, w.height, w.bin_y, height))
+    throw BadInput("the region of interest (" + std::to_string(w.width) + "x" + std::to_string(w.height) +
+                   " at " + std::to_string(w.x) + ", " + std::to_string(w.y) + ") leaves the camera's " +
+                   std::to_string(width) + "x" + std::to_string(height) + " image");
+  Camera c = *this;
+  c.width = w.width / w.bin_x;
+  c.height = w.height / w.bin_y;
+  c.fx /= w.bin_x;
+  c.fy /= w.bin_y;
+  c.cx = (cx - w.x + 0.5) / w.bin_x - 0.5;
+  c.cy = (cy - w.y + 0.5) / w.bin_y - 0.5;
+  if (!(c.cx > 0 && c.cx < c.width && c.cy > 0 && c.cy < c.height))
+    throw BadInput("the region of interest leaves out the principal point, which is not supported: widen it");
+  return c;
+}
+
 void Camera::check() const {
   if (width <= 0) refuse("width", width, "must be positive");
   if (height <= 0) refuse("height", height, "must be positive");
@@ -105,29 +164,35 @@ void Camera::check() const {
     if (!std::isfinite(d[i])) refuse(names[i], d[i], "is not finite: calibrate the camera again");
 }
 
-void setDistortion(Camera* camera, const std::string& ros_name, const double* coefficients, size_t count) {
+void setDistortion(Camera* camera, const std::string& name, const double* coefficients, size_t count) {
   camera->d.fill(0);
-  if (!ros_name.empty() && ros_name != "plumb_bob" && ros_name != "rational_polynomial")
+  camera->model = DistortionModel::kNone;
+  const bool all_zero = areZero(coefficients, coefficients + count);
+  const LensName lens = lensNamed(name);
+  if (lens == LensName::kNone && !all_zero)
+    throw BadInput("camera: the distortion model is '" + name +
+                   "' but coefficients are not zero: name their model (plumb_bob, rational_polynomial)");
+  if (lens == LensName::kUnknown || (lens == LensName::kInverse && !all_zero))
     throw BadInput(
-        "camera: distortion model '" + ros_name +
+        "camera: distortion model '" + name.substr(0, 40) +
         "' is not supported; known: plumb_bob, rational_polynomial. Rectify the image first and use "
         "image_rect.");
-  const bool all_zero = std::all_of(coefficients, coefficients + count, [](double v) { return v == 0; });
-  if (count == 0 || (ros_name.empty() && all_zero)) {
-    camera->model = DistortionModel::kNone;
-    return;
+  if (count == 0 || lens == LensName::kNone || lens == LensName::kInverse) return;
+  if (lens == LensName::kUnnamed && all_zero) return;
+
+  const bool rational = lens == LensName::kRational || (lens == LensName::kUnnamed && count > 5);
+  const size_t used = rational ? 8 : 5;
+  if (count > used && !areZero(coefficients + used, coefficients + count)) {
+    const std::string got = std::to_string(count);
+    throw BadInput(rational
+                       ? "camera: rational_polynomial is supported with 8 distortion coefficients, got " +
+                             got + " (thin prism and tilt terms are not)"
+                       : "camera: plumb_bob has at most 5 distortion coefficients, got " + got +
+                             " that are not zero: if they are k1, k2, p1, p2, k3 to k6, name the model "
+                             "rational_polynomial");
   }
-  if (ros_name == "plumb_bob" || (ros_name.empty() && count <= 5)) {
-    if (count > 5)
-      throw BadInput("camera: plumb_bob has at most 5 distortion coefficients, got " + std::to_string(count));
-    camera->model = DistortionModel::kPlumbBob;
-  } else {
-    if (count > 8 && !std::all_of(coefficients + 8, coefficients + count, [](double v) { return v == 0; }))
-      throw BadInput("camera: rational_polynomial is supported with 8 distortion coefficients, got " +
-                     std::to_string(count) + " (thin prism and tilt terms are not)");
-    camera->model = DistortionModel::kRationalPolynomial;
-  }
-  std::copy(coefficients, coefficients + std::min<size_t>(count, 8), camera->d.begin());
+  camera->model = rational ? DistortionModel::kRationalPolynomial : DistortionModel::kPlumbBob;
+  std::copy(coefficients, coefficients + std::min(count, used), camera->d.begin());
 }
 
 }  // namespace monocular_eye_hand

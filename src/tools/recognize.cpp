@@ -10,6 +10,7 @@
 
 #include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/options/image_files.h"
 #include "monocular_eye_hand/options/options.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
@@ -126,7 +127,10 @@ int recognize(const Arguments& args) {
   if (args.camera.empty()) throw BadInput("--camera FILE.yaml is missing: the camera's calibration");
   if (args.images.empty()) throw BadInput("no image given");
   const std::vector<std::string> images = allImages(args.images);
-  const Camera camera = loadCamera(args.camera);
+  const CameraFile calibration = readCameraFile(args.camera);
+  for (const std::string& warning : calibration.warnings)
+    std::cerr << "recognize: warning: " << args.camera << ": " << warning << "\n";
+  const Camera& camera = calibration.camera;
   const Recognizer recognizer(loadModelBase(args.objects), options);
   if (!args.only.empty() && recognizer.models().indexOf(args.only) < 0)
     throw BadInput("--only " + args.only + ": no such object; known are " + recognizer.models().names());
@@ -163,7 +167,10 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit code: 0 when every image was processed, whether or not something was found; 1 on bad input.");
   app.add_option("--objects", args.objects, "model base: YAML list of CAD files, as config/objects.yaml");
-  app.add_option("--camera", args.camera, "calibration YAML of camera_calibration");
+  app.add_option(
+      "--camera", args.camera,
+      "calibration: YAML or ost.ini of camera_calibration, OpenCV FileStorage, CameraInfo, kalibr, "
+      "ViSP");
   app.add_option("--only", args.only,
                  "look for this object only; stops at its first plausible and reliable match");
   app.add_option("--budget", args.budget,

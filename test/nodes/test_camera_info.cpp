@@ -194,6 +194,15 @@ TEST(CameraInfo, RefusesOtherLensModels) {
   EXPECT_EQ(refusal(info, ImageKind::kRectified), "accepted");
 }
 
+TEST(CameraInfo, OfAFileKeepsItsProjection) {
+  CameraFile file;
+  file.camera = Camera{640, 480, 600, 610, 300.5, 239.5, DistortionModel::kNone, {}};
+  EXPECT_EQ(toCameraInfo(file).P[0], 600);
+  file.projection = {650, 0, 310, 0, 0, 650, 240, 0, 0, 0, 1, 0};
+  EXPECT_EQ(toCameraInfo(file).P[0], 650);
+  EXPECT_EQ(toCameraInfo(file).K[0], 600);
+}
+
 TEST(CameraInfo, RefusesTheSecondStereoCamera) {
   sensor_msgs::CameraInfo info = goodInfo();
   info.P[3] = -60;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"

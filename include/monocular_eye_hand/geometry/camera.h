@@ -7,6 +7,13 @@ namespace monocular_eye_hand {
 
 enum class DistortionModel { kNone, kPlumbBob, kRationalPolynomial };
 
+/// A part of the image that is published alone, in whole blocks of pixels (REP-104).
+struct PixelWindow {
+  int x = 0, y = 0;           ///< first pixel [px]
+  int width = 0, height = 0;  ///< before binning [px]
+  int bin_x = 1, bin_y = 1;   ///< pixels that become one
+};
+
 /// Pinhole camera with lens distortion. Camera frame: optical (x right, y down, z forward, metres). Pixel
 /// centres lie at integer coordinates. `uv_raw` is a pixel of the image as taken, `uv_rect` the pixel where
 /// an ideal pinhole with the same fx, fy, cx, cy would see the same ray; without distortion they are equal.
@@ -32,15 +39,18 @@ struct Camera {
   Eigen::Matrix3d intrinsics() const;
   /// The same camera with an image resized by `factor` (pixel centres stay at integers).
   Camera resized(double factor) const;
+  /// The camera of an image that shows only this window. A binned pixel is the mean of its block, so its
+  /// centre lies at the block's centre. Throws BadInput when the window leaves the image or leaves out the
+  /// principal point.
+  Camera seenThrough(const PixelWindow& window) const;
   /// Throws BadInput naming the field when a value is missing, not finite or implausible (fx or fy below a
   /// fifth of the image's width, principal point outside the image, unknown distortion).
   void check() const;
 };
 
-/// Reads the calibration YAML of camera_calibration / camera_info_manager. Throws BadInput.
-Camera loadCamera(const std::string& yaml_path);
-/// Builds a camera from a distortion model's ROS name ("plumb_bob", "rational_polynomial" or empty) and
-/// coefficients of any length those models allow. Throws BadInput.
-void setDistortion(Camera* camera, const std::string& ros_name, const double* coefficients, size_t count);
+/// Sets the lens from the name of its model as ROS, kalibr or a driver spells it ("plumb_bob", "radtan",
+/// "rational_polynomial", "none" or empty) and coefficients of any length that the model allows; zeros behind
+/// them are taken. Throws BadInput naming the model and what to do.
+void setDistortion(Camera* camera, const std::string& name, const double* coefficients, size_t count);
 
 }  // namespace monocular_eye_hand
