@@ -152,21 +152,15 @@ void readMatrix(const std::vector<double>& k, Camera* camera) {
 }
 
 void readFocal(const CalibrationFields& fields, Camera* camera) {
-  if (const auto k = fields.numbers({"cameramatrix", "k", "intrinsicmatrix", "mtx"})) {
-    readMatrix(*k, camera);
-    return;
-  }
   const auto fx = fields.number({"fx", "camerafx"}), fy = fields.number({"fy", "camerafy"});
   const auto cx = fields.number({"cx", "ppx", "cameracx"}), cy = fields.number({"cy", "ppy", "cameracy"});
   if (fx && fy && cx && cy) {
     readMatrix({*fx, *fy, *cx, *cy}, camera);
-    return;
+  } else if (const auto k = fields.numbers({"cameramatrix", "k", "intrinsicmatrix", "mtx", "intrinsics"})) {
+    readMatrix(*k, camera);
+  } else {
+    throw BadInput("'camera_matrix' with 'data' is missing");
   }
-  if (const auto intrinsics = fields.numbers({"intrinsics"})) {
-    readMatrix(*intrinsics, camera);
-    return;
-  }
-  throw BadInput("'camera_matrix' with 'data' is missing");
 }
 
 std::vector<double> distortionOf(const CalibrationFields& fields) {

@@ -43,9 +43,11 @@ std::string spelled(const ObjectEntry& entry, ViewOptions views) {
 }
 
 KnownObject compile(const ObjectEntry& entry, const ViewOptions& views, const std::string& folder) {
-  const Mesh mesh = loadMesh(entry.mesh, entry.unit);
+  LoadedMesh loaded = readMesh(entry.mesh, entry.unit);
   KnownObject object;
-  object.model = buildShape(entry.name, mesh, entry.options);
+  object.model = buildShape(entry.name, loaded.mesh, entry.options);
+  std::vector<std::string>& warnings = object.model.warnings;
+  warnings.insert(warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
   CompiledParts parts;
   const std::string name = folder.empty() ? "" : cacheName(readFileBytes(entry.mesh), spelled(entry, views));
   const bool cached = !folder.empty() && readCache(folder + "/" + name, &parts);

@@ -29,7 +29,16 @@ struct ModelOptions {
 /// Metres per unit: "m", "cm", "mm", "inch". Throws BadInput naming the known ones.
 double metresPerUnit(const std::string& unit);
 
-/// Reads STL, OBJ, PLY or DAE. Throws BadInput when it is missing, damaged, empty or not finite.
+/// A mesh in metres with what was ignored or put right on reading it.
+struct LoadedMesh {
+  Mesh mesh;
+  std::vector<std::string> warnings;  ///< without the path; also a unit of the file's own that is another
+};
+
+/// Reads STL, OBJ, PLY or DAE, told apart by content, then by the end of the name. Throws BadInput that names
+/// what the file really is, or what is damaged and where, and what to do.
+LoadedMesh readMesh(const std::string& path, const std::string& unit);
+/// The mesh alone; its warnings are dropped.
 Mesh loadMesh(const std::string& path, const std::string& unit);
 
 /// Welds, finds surfaces, sharp edges, circles, corners, symmetries; fills warnings. Throws BadInput on an
