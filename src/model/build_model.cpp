@@ -102,8 +102,9 @@ void setSymmetries(const SymmetryResult& found, ObjectModel* model) {
   model->symmetries = found.symmetries;
   if (found.twins.empty()) return;
   const NearSymmetry& t = found.twins.front();
-  model->warnings.push_back("nearly symmetric: turned by " + turnText(t.motion) + " only " +
-                            number(100 * t.differing, "%.1f") +
+  const std::string share =
+      t.differing < 0.001 ? "less than 0.1" : "only " + number(100 * t.differing, "%.1f");
+  model->warnings.push_back("nearly symmetric: turned by " + turnText(t.motion) + " " + share +
                             " % of its surface differs; such views are easily taken for each other");
 }
 
