@@ -7,6 +7,7 @@
 #include "calibration_tree.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
+#include "monocular_eye_hand/io/file_path.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -241,7 +242,8 @@ CameraFile fromTree(const Tree& tree) {
 
 }  // namespace
 
-CameraFile readCameraFile(const std::string& path) {
+CameraFile readCameraFile(const std::string& name) {
+  const std::string path = resolvedPath(name);
   const std::string bytes = readFileBytes(path, "a camera calibration", kMostBytes);
   const std::string foreign = foreignContent(bytes);
   if (!foreign.empty()) throw BadInput(path + ": this is " + foreign);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/file_path.h"
 #include "nodes/camera_info.h"
 #include "nodes/names.h"
 
@@ -46,13 +47,13 @@ ImageSourceNode::ImageSourceNode(const ImageSourceParameters& parameters)
 }
 
 void ImageSourceNode::loadCalibration() {
-  const std::string& file = parameters_.camera_info;
-  if (file.empty()) {
+  if (parameters_.camera_info.empty()) {
     ROS_WARN("camera_info is not set: an uncalibrated camera is published");
     // A file that is not there: the manager would otherwise take one from an earlier set_camera_info.
     calibration_ = std::make_unique<camera_info_manager::CameraInfoManager>(node_, "camera");
     return;
   }
+  const std::string file = resolvedPath(parameters_.camera_info);
   if (!std::filesystem::is_regular_file(file))
     throw BadInput("camera_info: there is no file " + file + " (a calibration of these images is expected)");
   const CameraFile read = readCalibration(file);

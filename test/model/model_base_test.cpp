@@ -232,6 +232,28 @@ TEST(ObjectEntries, PathsUnitsAndOverrides) {
   EXPECT_FALSE(entries[1].options.find_symmetries);
 }
 
+TEST(ObjectEntries, MeshPathsMayNamePackagesUrlsAndVariables) {
+  Folder folder;
+  folder.write("part.stl", "solid");
+  folder.write("package.xml", "<package><name>parts_of_a_test</name></package>");
+  setenv("ROS_PACKAGE_PATH", folder.path.c_str(), 1);
+  setenv("PARTS_OF_A_TEST", folder.path.c_str(), 1);
+  for (const std::string& mesh :
+       {std::string("package://parts_of_a_test/part.stl"), "file://" + folder.path + "/part.stl",
+        std::string("$PARTS_OF_A_TEST/part.stl"), std::string("${PARTS_OF_A_TEST}/part.stl")}) {
+    const std::string yaml = folder.write("o.yaml", "objects: [{name: a, mesh: \"" + mesh + "\"}]\n");
+    EXPECT_EQ(readObjectEntries(yaml).front().mesh, folder.path + "/part.stl") << mesh;
+  }
+  const std::string yaml =
+      folder.write("o.yaml", "objects: [{name: a, mesh: \"package://not_there/p.stl\"}]\n");
+  try {
+    readObjectEntries(yaml);
+    FAIL();
+  } catch (const BadInput& e) {
+    EXPECT_THAT(e.what(), HasSubstr("there is no ROS package \"not_there\""));
+  }
+}
+
 TEST(ObjectEntries, MistakesAreNamed) {
   EXPECT_THROW(readObjectEntries("/no/such/objects.yaml"), BadInput);
   EXPECT_THAT(failure("objects: [{name: a"), HasSubstr("objects.yaml"));

@@ -23,8 +23,8 @@ struct CameraFile {
 
 /// Reads a calibration, told apart by content: the YAML and the ost.ini of camera_calibration, OpenCV's
 /// FileStorage (YAML, XML or JSON), a CameraInfo as rostopic echo prints it (binning and region of interest
-/// are taken into account), kalibr's camchain of one camera, ViSP's XML. Throws BadInput that names the file,
-/// its kind and what to do.
+/// are taken into account), kalibr's camchain of one camera, ViSP's XML. `path` as in io/file_path.h. Throws
+/// BadInput that names the file, its kind and what to do.
 CameraFile readCameraFile(const std::string& path);
 
 /// The camera of such a file alone; its warnings are dropped.

@@ -77,7 +77,7 @@ struct ModelBase {
 /// One entry of a model base file.
 struct ObjectEntry {
   std::string name;
-  std::string mesh;  ///< path, absolute or relative to the YAML
+  std::string mesh;  ///< path; in the YAML as io/file_path.h, relative to the YAML
   std::string unit = "mm";
   ModelOptions options;
   Handling handling{};
