@@ -6,6 +6,7 @@
 #include "mesh_readers.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
+#include "monocular_eye_hand/io/plain_number.h"
 #include "monocular_eye_hand/model/model_base.h"
 
 namespace monocular_eye_hand {
@@ -94,18 +95,11 @@ ReadMesh read(std::string bytes, const std::string& path) {
   return out;
 }
 
-std::string shown(double value) {
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
-}
-
 std::string unitText(double metres) {
   for (const char* name : {"m", "cm", "mm", "inch"}) {
     if (std::abs(metresPerUnit(name) / metres - 1) < 1e-3) return std::string(name);
   }
-  return shown(metres) + " m";
+  return plainNumber(metres) + " m";
 }
 
 /// What the file says about its unit against what the user says.
@@ -117,8 +111,8 @@ void compareUnits(const std::string& stated, ReadMesh* read) {
   const double largest = box.sizes().maxCoeff();
   read->warnings.push_back("the file says that its unit is " + unitText(of_file) +
                            ", but the stated unit is " + stated + ", which counts: the part is " +
-                           shown(1000 * metres * largest) + " mm long, by the file's own unit " +
-                           shown(1000 * of_file * largest) + " mm");
+                           plainNumber(1000 * metres * largest) + " mm long, by the file's own unit " +
+                           plainNumber(1000 * of_file * largest) + " mm");
 }
 
 void scale(double metres, const std::string& path, Mesh* mesh) {

@@ -14,6 +14,7 @@
 #include "monocular_eye_hand/options/image_files.h"
 #include "monocular_eye_hand/options/options.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/recognition/size_check.h"
 #include "monocular_eye_hand/report/explanation.h"
 #include "monocular_eye_hand/report/result_drawing.h"
 #include "result_output.h"
@@ -116,6 +117,16 @@ void writeJson(const std::string& path, const nlohmann::ordered_json& document) 
   if (!file) throw BadInput(path + ": cannot be written");
 }
 
+void warn(const std::string& text) { std::cerr << "recognize: warning: " << text << "\n"; }
+
+void warnAboutModels(const Recognizer& recognizer, const Camera& camera) {
+  for (const KnownObject& known : recognizer.models().objects) {
+    for (const std::string& warning : known.model.warnings) warn(known.model.name + ": " + warning);
+  }
+  for (const std::string& warning : sizeWarnings(recognizer.models(), camera, recognizer.options()))
+    warn(warning);
+}
+
 int recognize(const Arguments& args) {
   const RecognitionOptions options = effectiveOptions(args);
   if (args.show_options) {
@@ -128,10 +139,11 @@ int recognize(const Arguments& args) {
   if (args.images.empty()) throw BadInput("no image given");
   const std::vector<std::string> images = allImages(args.images);
   const CameraFile calibration = readCameraFile(args.camera);
-  for (const std::string& warning : calibration.warnings)
-    std::cerr << "recognize: warning: " << args.camera << ": " << warning << "\n";
+  for (const std::string& warning : calibration.warnings) warn(args.camera + ": " + warning);
   const Camera& camera = calibration.camera;
-  const Recognizer recognizer(loadModelBase(args.objects), options);
+  const auto tell = [](const std::string& step) { std::cerr << "recognize: " << step << std::endl; };
+  const Recognizer recognizer(loadModelBase(args.objects, {}, "", tell), options);
+  warnAboutModels(recognizer, camera);
   if (!args.only.empty() && recognizer.models().indexOf(args.only) < 0)
     throw BadInput("--only " + args.only + ": no such object; known are " + recognizer.models().names());
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "monocular_eye_hand/io/plain_number.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -47,6 +49,17 @@ TEST(FileContent, PlainTextStaysAsItIs) {
   EXPECT_TRUE(plainText("solid a\n").warnings.empty());
   EXPECT_EQ(plainText("\xef\xbb\xbfsolid").text, "solid");
   EXPECT_EQ(withLineFeeds("a\r\nb\rc\n\r"), "a\nb\nc\n\n");
+}
+
+TEST(PlainNumber, HasNoExponent) {
+  EXPECT_EQ(plainNumber(140000), "140000");
+  EXPECT_EQ(plainNumber(1234.6), "1235");
+  EXPECT_EQ(plainNumber(80), "80");
+  EXPECT_EQ(plainNumber(2.5), "2.5");
+  EXPECT_EQ(plainNumber(0.08), "0.08");
+  EXPECT_EQ(plainNumber(0.00008), "0.00008");
+  EXPECT_EQ(plainNumber(-0.25), "-0.25");
+  EXPECT_EQ(plainNumber(0), "0");
 }
 
 TEST(FileContent, TextIsNeverCalledBinary) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -87,11 +88,15 @@ struct ObjectEntry {
 /// ...overrides}]`. Unknown keys, double names and missing files are BadInput.
 std::vector<ObjectEntry> readObjectEntries(const std::string& yaml_path);
 
+/// Takes a line of what is being done, before each step that may take long.
+using CompileProgress = std::function<void(const std::string&)>;
+
 /// Builds and compiles the entries, using the cache folder ("" = $XDG_CACHE_HOME or ~/.cache,
-/// monocular_eye_hand/; "none" = no cache). A stale or damaged cache file is rebuilt.
+/// monocular_eye_hand/; "none" = no cache). A stale or damaged cache file is rebuilt. Throws BadInput; a
+/// noisy scan is refused within seconds.
 ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views = {},
-                           const std::string& cache_dir = "");
+                           const std::string& cache_dir = "", const CompileProgress& progress = {});
 ModelBase loadModelBase(const std::string& yaml_path, const ViewOptions& views = {},
-                        const std::string& cache_dir = "");
+                        const std::string& cache_dir = "", const CompileProgress& progress = {});
 
 }  // namespace monocular_eye_hand
