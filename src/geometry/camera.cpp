@@ -67,10 +67,46 @@ bool areZero(const double* begin, const double* end) {
   return std::all_of(begin, end, [](double value) { return value == 0; });
 }
 
+/// Where the distorted image stops growing on the way out along a direction (unit, focal lengths are 1), as a
+/// distance from the principal point; `reach` when it grows up to there.
+double foldAlong(const std::array<double, 8>& d, const Eigen::Vector2d& direction, double reach) {
+  constexpr double kFarthest = 20;  // 87 degrees off the axis
+  const double step = reach / 50;
+  double before = 0;
+  for (double out = step; out < kFarthest; out += std::max(step, 0.02 * out)) {
+    const Distorted at = distortNormalized(d, out * direction);
+    const double now = at.xy.norm();
+    if (!(now > before && at.jacobian.determinant() > 0)) return before;
+    if (now >= reach) return reach;
+    before = now;
+  }
+  return before;
+}
+
 [[noreturn]] void refuse(const std::string& field, double value, const std::string& rule) {
   std::ostringstream text;
   text << "camera: " << field << " = " << value << " " << rule;
   throw BadInput(text.str());
+}
+
+/// A fit of too few points near the corners may give a lens that shows two directions in one pixel.
+void refuseFold(const Camera& c) {
+  constexpr int kAlongSide = 8;
+  for (int k = 0; k < 4 * kAlongSide; ++k) {
+    const double at = double(k % kAlongSide) / kAlongSide;
+    const double u = k / kAlongSide == 0 ? at : k / kAlongSide == 1 ? 1 : k / kAlongSide == 2 ? 1 - at : 0;
+    const double v = k / kAlongSide == 0 ? 0 : k / kAlongSide == 1 ? at : k / kAlongSide == 2 ? 1 : 1 - at;
+    const Eigen::Vector2d border((u * (c.width - 1) - c.cx) / c.fx, (v * (c.height - 1) - c.cy) / c.fy);
+    const double reach = border.norm(), fold = reach > 0 ? foldAlong(c.d, border / reach, reach) : reach;
+    if (fold >= reach) continue;
+    const double to_pixels = 0.5 * (c.fx + c.fy);
+    throw BadInput("camera: the lens model folds over inside the image, " +
+                   std::to_string(std::lround(fold * to_pixels)) +
+                   " px from its middle, where the border is " +
+                   std::to_string(std::lround(reach * to_pixels)) +
+                   " px away: one pixel would show two directions. Calibrate again with the board up to the "
+                   "corners, or with fewer coefficients");
+  }
 }
 
 }  // namespace
@@ -162,6 +198,7 @@ void Camera::check() const {
   const char* names[] = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
   for (size_t i = 0; i < d.size(); ++i)
     if (!std::isfinite(d[i])) refuse(names[i], d[i], "is not finite: calibrate the camera again");
+  if (distorted()) refuseFold(*this);
 }
 
 void setDistortion(Camera* camera, const std::string& name, const double* coefficients, size_t count) {

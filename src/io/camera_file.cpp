@@ -8,11 +8,13 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
 #include "monocular_eye_hand/io/file_path.h"
+#include "monocular_eye_hand/io/plain_number.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 constexpr size_t kMostBytes = 4 << 20;
+constexpr double kFarFromMiddle = 0.15;  // of the principal point, as a share of width or height
 const char kKnown[] =
     "known are the YAML and ost.ini of camera_calibration, OpenCV's FileStorage (YAML, XML), a CameraInfo "
     "printed by rostopic echo, kalibr's camchain and ViSP's XML";
@@ -237,10 +239,21 @@ CameraFile fromTree(const Tree& tree) {
   out.projection = fixedList<12>(fields, {"projectionmatrix", "projection", "p"});
   out.camera.check();
   applyWindow(fields, tree.root, &out.camera);
+  out.warnings = cameraWarnings(out.camera);
   return out;
 }
 
 }  // namespace
+
+std::vector<std::string> cameraWarnings(const Camera& camera) {
+  const double u = camera.cx / camera.width - 0.5, v = camera.cy / camera.height - 0.5;
+  if (std::abs(u) <= kFarFromMiddle && std::abs(v) <= kFarFromMiddle) return {};
+  return {"the principal point (" + plainNumber(camera.cx) + ", " + plainNumber(camera.cy) +
+          ") px lies far from the middle of the image (" + std::to_string(camera.width) + "x" +
+          std::to_string(camera.height) +
+          "): is the calibration that of another binning or of an image that was cropped? Then its poses are "
+          "wrong; calibrate images of this size"};
+}
 
 CameraFile readCameraFile(const std::string& name) {
   const std::string path = resolvedPath(name);

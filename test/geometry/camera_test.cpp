@@ -168,6 +168,20 @@ TEST(Camera, WindowsKeepRays) {
   expectRefused([&] { c.seenThrough({0, 0, 200, 150, 1, 1}); }, {"principal point"});
 }
 
+TEST(Camera, LensesThatFoldInsideTheImageAreRefused) {
+  for (const Camera& c : cameras()) EXPECT_NO_THROW(c.check());
+  Camera wide = with("plumb_bob", {-0.25, 0.05, 0, 0, -0.004});
+  EXPECT_NO_THROW(wide.check());  // folds, but outside this image
+  wide.width = 1280, wide.height = 960, wide.fx = wide.fy = 580, wide.cx = 640, wide.cy = 480;
+  expectRefused([&] { wide.check(); }, {"folds over inside the image", "Calibrate"});
+  // One that dips between two growing parts, and one of the rational model.
+  Camera dip = with("plumb_bob", {-3.2, 4.5, 0, 0, 0});
+  dip.fx = dip.fy = 400;
+  expectRefused([&] { dip.check(); }, {"folds over"});
+  Camera rational = with("rational_polynomial", {0, 0, 0, 0, 0, 8, 0, 0});
+  expectRefused([&] { rational.check(); }, {"folds over"});
+}
+
 TEST(Camera, DistortionModels) {
   EXPECT_EQ(with("", {}).model, DistortionModel::kNone);
   EXPECT_EQ(with("", {0, 0, 0, 0, 0}).model, DistortionModel::kNone);

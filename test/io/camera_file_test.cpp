@@ -289,6 +289,22 @@ TEST_F(CameraFiles, NamesWhatAFileReallyIs) {
   refused("left:\n  camera_matrix: [1]\nright:\n  camera_matrix: [1]\n", {"left, right"});
 }
 
+TEST_F(CameraFiles, PrincipalPointsFarFromTheMiddleAreWarnedOf) {
+  EXPECT_TRUE(readCameraFile(write(kGood)).warnings.empty());
+  // Calibrated at twice the size; cropped at the right.
+  for (const auto& [from, to] : {std::pair("243.7", "470.0"), std::pair("318.3", "480.0")}) {
+    const CameraFile file = readCameraFile(write(replaced(from, to)));
+    ASSERT_EQ(file.warnings.size(), 1u) << to;
+    EXPECT_NE(file.warnings[0].find("binning"), std::string::npos);
+    EXPECT_NE(file.warnings[0].find("cropped"), std::string::npos);
+  }
+}
+
+TEST_F(CameraFiles, LensesThatFoldAreNamed) {
+  write(replaced("-0.28, 0.08, 0.001, -0.0005, 0.0", "-2.8, 0.08, 0.001, -0.0005, 0.0"));
+  expectRefused([&] { loadCamera(path_); }, {path_, "folds over", "Calibrate"});
+}
+
 TEST(CameraFileCases, OfTheField) {
   const char* data = std::getenv("MONOCULAR_EYE_HAND_DATA");
   if (!data) GTEST_SKIP() << "MONOCULAR_EYE_HAND_DATA is not set: files of the field are not read";
@@ -303,6 +319,7 @@ TEST(CameraFileCases, OfTheField) {
     EXPECT_EQ(camera.fx, 700);
     EXPECT_EQ(camera.fy, 700);
   }
+  expectRefused([&] { loadCamera(folder + "lens_folds_over.yaml"); }, {"folds over inside the image"});
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ struct CameraFile {
 /// BadInput that names the file, its kind and what to do.
 CameraFile readCameraFile(const std::string& path);
 
+/// Warnings about a camera that may be used but looks wrong: a principal point far from the middle, as
+/// binning and cropping leave it when the calibration was made without them.
+std::vector<std::string> cameraWarnings(const Camera& camera);
+
 /// The camera of such a file alone; its warnings are dropped.
 Camera loadCamera(const std::string& path);
 
