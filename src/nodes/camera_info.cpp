@@ -106,9 +106,8 @@ sensor_msgs::CameraInfo toCameraInfo(const Camera& camera) {
   sensor_msgs::CameraInfo info;
   info.width = uint32_t(camera.width);
   info.height = uint32_t(camera.height);
-  const bool rational = camera.model == DistortionModel::kRationalPolynomial;
-  info.distortion_model = rational ? "rational_polynomial" : "plumb_bob";
-  info.D.assign(camera.d.begin(), camera.d.begin() + (rational ? 8 : 5));
+  info.distortion_model = distortionName(camera);
+  info.D.assign(camera.d.begin(), camera.d.begin() + distortionCount(camera));
   info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
   info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};

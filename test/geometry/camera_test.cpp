@@ -33,10 +33,13 @@ Camera with(const std::string& model, const std::vector<double>& d) {
 }
 
 std::vector<Camera> cameras() {
-  return {plain(), with("plumb_bob", {-0.28, 0.08, 0.001, -0.0005, 0}),
+  return {plain(),
+          with("plumb_bob", {-0.28, 0.08, 0.001, -0.0005, 0}),
           with("plumb_bob", {0.12, -0.2, -0.002, 0.001, 0.05}),
           with("plumb_bob", {-0.1, 0.02, 0.0005, 0.0003}),
-          with("rational_polynomial", {2.1, 0.9, 0.0004, -0.0003, 0.03, 2.4, 1.5, 0.2})};
+          with("rational_polynomial", {2.1, 0.9, 0.0004, -0.0003, 0.03, 2.4, 1.5, 0.2}),
+          with("equidistant", {-0.012, 0.004, -0.003, 0.0006}),
+          with("fisheye", {0, 0, 0, 0})};
 }
 
 void expectRefused(const std::function<void()>& call, const std::vector<std::string>& named) {
@@ -65,6 +68,7 @@ TEST(Camera, ProjectsAndDistortsAsOpenCV) {
     std::vector<cv::Point3d> points;
     for (double x = -0.5; x <= 0.5; x += 0.1)
       for (double y = -0.38; y <= 0.38; y += 0.095) points.push_back({x * 1.3, y * 1.3, 1.3});
+    if (c.model == DistortionModel::kEquidistant) continue;  // below
     const cv::Matx33d k(c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1);
     const std::vector<double> d(c.d.begin(), c.d.end());
     std::vector<cv::Point2d> expected;
@@ -168,6 +172,40 @@ TEST(Camera, WindowsKeepRays) {
   expectRefused([&] { c.seenThrough({0, 0, 200, 150, 1, 1}); }, {"principal point"});
 }
 
+TEST(Camera, EquidistantLensesAreOpenCVsFisheye) {
+  Camera c = with("equidistant", {-0.012, 0.004, -0.003, 0.0006});
+  c.fx = 205, c.fy = 203;  // 160 degrees wide
+  std::vector<cv::Point3d> points;
+  for (double x = -5; x <= 5; x += 0.5)
+    for (double y = -4; y <= 4; y += 0.5) points.push_back({x, y, 1});
+  std::vector<cv::Point2d> expected;
+  const cv::Matx33d k(c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1);
+  cv::fisheye::projectPoints(points, expected, cv::Vec3d::all(0), cv::Vec3d::all(0), k,
+                             std::vector<double>(c.d.begin(), c.d.begin() + 4));
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Vector2d ideal = c.project({points[i].x, points[i].y, points[i].z}), raw = c.distort(ideal);
+    EXPECT_NEAR(raw.x(), expected[i].x, 1e-9);
+    EXPECT_NEAR(raw.y(), expected[i].y, 1e-9);
+    EXPECT_LT((c.undistort(raw) - ideal).norm(), 1e-9 * (1 + ideal.norm()));
+  }
+  EXPECT_NO_THROW(c.check());
+}
+
+TEST(Camera, JacobiansAreThoseOfFiniteDifferences) {
+  for (const Camera& c : cameras()) {
+    for (const Vector2d& uv :
+         {Vector2d(12, 7), Vector2d(318.3, 243.7), Vector2d(318.31, 243.7), Vector2d(600, 90)}) {
+      const DistortedPixel at = c.distortWithJacobian(uv);
+      EXPECT_LT((at.uv_raw - c.distort(uv)).norm(), 1e-12);
+      for (int k = 0; k < 2; ++k) {
+        const Vector2d step = 1e-3 * Vector2d::Unit(k);
+        const Vector2d slope = (c.distort(uv + step) - c.distort(uv - step)) / 2e-3;
+        EXPECT_LT((at.jacobian.col(k) - slope).norm(), 1e-7) << uv.transpose();
+      }
+    }
+  }
+}
+
 TEST(Camera, LensesThatFoldInsideTheImageAreRefused) {
   for (const Camera& c : cameras()) EXPECT_NO_THROW(c.check());
   Camera wide = with("plumb_bob", {-0.25, 0.05, 0, 0, -0.004});
@@ -200,8 +238,9 @@ TEST(Camera, DistortionModels) {
   expectRefused([] { with("plumb_bob", {0, 0, 0, 0, 0, 0, 0, 1}); }, {"plumb_bob", "rational_polynomial"});
   expectRefused([] { with("none", {-0.1, 0, 0, 0, 0}); }, {"none", "not zero"});
   expectRefused([] { with("inverse_brown_conrady", {0.1, 0, 0, 0, 0}); }, {"inverse_brown_conrady"});
-  expectRefused([] { with("equidistant", {0.1, 0, 0, 0}); }, {"equidistant", "plumb_bob"});
-  expectRefused([] { with("equidistant", {}); }, {"equidistant"});
+  expectRefused([] { with("omnidirectional", {0.1, 0, 0, 0}); }, {"omnidirectional", "equidistant"});
+  expectRefused([] { with("equidistant", {}); }, {"equidistant", "4"});
+  expectRefused([] { with("equidistant", {0.1, 0, 0, 0, 0.1}); }, {"equidistant", "5"});
 }
 
 }  // namespace

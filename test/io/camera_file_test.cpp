@@ -204,6 +204,13 @@ TEST_F(CameraFiles, Kalibr) {
       loadCamera(write("cam0:\n" + model + "  distortion_coeffs: []\n  distortion_model: none\n" + rest)));
   write("cam0:\n" + model + lens + rest + "cam1:\n" + model + lens + rest);
   expectRefused([&] { loadCamera(path_); }, {"cam0, cam1", "file of its own"});
+  const Camera wide = loadCamera(write("cam0:\n" + model +
+                                       "  distortion_coeffs: [0.01, -0.02, 0.003, -0.004]\n"
+                                       "  distortion_model: equidistant\n" +
+                                       rest));
+  expectCamera(wide);
+  EXPECT_EQ(wide.model, DistortionModel::kEquidistant);
+  EXPECT_EQ(wide.d[3], -0.004);
   write("cam0:\n  camera_model: omni\n" + lens + rest);
   expectRefused([&] { loadCamera(path_); }, {"omni", "pinhole"});
 }
