@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/file_path.h"
 #include "monocular_eye_hand/model/model_base.h"
 
 namespace monocular_eye_hand {
@@ -36,19 +37,23 @@ class Complaints : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-/// The file that a mesh is in.
+/// The file that a mesh is in. One of a package is first looked for beside and above the URDF, which lies in
+/// the package most of the time.
 std::string findMesh(const std::string& name, const std::string& urdf_path) {
   const fs::path folder = fs::absolute(urdf_path).parent_path();
-  const std::string package = "package://", file = "file://";
-  if (name.compare(0, file.size(), file) == 0) return name.substr(file.size());
-  if (name.compare(0, package.size(), package) != 0) return (folder / name).string();
+  const std::string package = "package://";
+  if (name.compare(0, package.size(), package) != 0) return resolvedPath(name, folder.string());
   const size_t slash = name.find('/', package.size());
   const std::string rest = slash == std::string::npos ? "" : name.substr(slash + 1);
   for (fs::path at = folder; !rest.empty(); at = at.parent_path()) {
     if (fs::is_regular_file(at / rest)) return (at / rest).string();
     if (at == at.parent_path()) break;
   }
-  throw BadInput("mesh " + name + " is neither in the folder of the URDF nor in one above it");
+  try {
+    return resolvedPath(name, folder.string());
+  } catch (const BadInput& e) {
+    throw BadInput("mesh " + name + " is neither in the folder of the URDF nor in one above it; " + e.what());
+  }
 }
 
 std::shared_ptr<const Mesh> readMesh(const urdf::Mesh& shape, const std::string& urdf_path) {

@@ -20,6 +20,8 @@ class Undistorter {
   bool solve(const Eigen::Vector2d& uv_raw, bool follow, Eigen::Vector2d* uv_rect,
              Eigen::Matrix2d* jacobian) {
     Eigen::Vector2d p = follow ? Eigen::Vector2d(last_rect_ + last_inverse_ * (uv_raw - last_raw_)) : uv_raw;
+    // Far out an equidistant lens is so curved that Newton's method needs a near start.
+    if (c_.model == DistortionModel::kEquidistant && !follow) p = c_.undistort(uv_raw);
     for (int i = 0; i < 20; ++i) {
       const Distorted at = distort(p);
       const double det = at.jacobian.determinant();
@@ -58,6 +60,10 @@ class Undistorter {
     *dg = (dnum * den - num * dden) / (den * den);
   }
   Distorted distort(const Eigen::Vector2d& uv) const {
+    if (c_.model == DistortionModel::kEquidistant) {
+      const DistortedPixel at = c_.distortWithJacobian(uv);
+      return {at.uv_raw, at.jacobian};
+    }
     const double x = (uv.x() - c_.cx) / c_.fx, y = (uv.y() - c_.cy) / c_.fy, r2 = x * x + y * y;
     const double p1 = c_.d[2], p2 = c_.d[3];
     double g, dg;
@@ -74,6 +80,7 @@ class Undistorter {
   // Squared radius up to which the radial part r g(r^2) keeps growing.
   double oneToOneRadius2() const {
     constexpr double kStep = 0.01, kFarthest = 20;
+    if (c_.model == DistortionModel::kEquidistant) return kFarthest * kFarthest;  // the determinant tells
     for (double r = kStep; r < kFarthest; r += kStep) {
       double g, dg;
       radial(r * r, &g, &dg);

@@ -5,6 +5,7 @@
 #include "build_model.h"
 #include "contour_index.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/plain_number.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/model/ray_scene.h"
 #include "sharp_features.h"
@@ -13,16 +14,32 @@
 namespace monocular_eye_hand {
 namespace {
 
+constexpr int kMostSharpEdges = 20000;    // of a mesh; CAD parts of 100 000 triangles have half of it
+constexpr size_t kManyModelEdges = 5000;  // straight edges of a model
+constexpr size_t kManyTriangles = 200000;
+
 std::string number(double value, const char* format) {
   char text[40];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
 
+/// A noisy scan has an edge between most of its triangles: it would take minutes and gigabytes, and none of
+/// its edges is one that an image shows.
+void refuseScan(const std::string& name, const Topology& topology, double sharp_angle) {
+  const auto sharp = std::count_if(topology.edges.begin(), topology.edges.end(),
+                                   [&](const MeshEdge& e) { return e.angle > sharp_angle; });
+  if (sharp <= kMostSharpEdges) return;
+  throw BadInput(name + ": this looks like a scan or a noisy mesh: " + std::to_string(sharp) + " of its " +
+                 std::to_string(topology.edges.size()) +
+                 " edges are sharp, and an image shows none of them. Use the part's CAD model, or smooth the "
+                 "scan and reduce it to some thousand triangles (MeshLab: Quadric Edge Collapse Decimation)");
+}
+
 void warnAboutMesh(const RepairedMesh& repaired, ObjectModel* model) {
   auto& warnings = model->warnings;
   if (model->diameter < 0.005 || model->diameter > 5) {
-    warnings.push_back("the diameter is " + number(1000 * model->diameter, "%.4g") +
+    warnings.push_back("the diameter is " + plainNumber(1000 * model->diameter) +
                        " mm: is the stated unit right?");
   }
   if (repaired.rim_edges > 0) {
@@ -40,6 +57,16 @@ void warnAboutMesh(const RepairedMesh& repaired, ObjectModel* model) {
   if (repaired.inside_out) warnings.push_back("the mesh was inside out and was turned");
   if (repaired.degenerate > 0) {
     warnings.push_back(std::to_string(repaired.degenerate) + " triangles without area were dropped");
+  }
+  if (model->mesh.triangles.size() > kManyTriangles) {
+    warnings.push_back(
+        std::to_string(model->mesh.triangles.size()) +
+        " triangles are many more than an image can show: every start takes long; reduce them");
+  }
+  if (model->edges.size() > kManyModelEdges) {
+    warnings.push_back(std::to_string(model->edges.size()) +
+                       " straight edges are more than a CAD part has: of a scan or a noisy mesh few are seen "
+                       "in an image; smooth and reduce it, or use the CAD model");
   }
   if (model->edges.empty() && model->circles.empty()) {
     warnings.push_back("no sharp edge or circle at all: only its outline can be recognised");
@@ -76,6 +103,7 @@ ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOpt
   model.diameter = meshDiameter(model.mesh.vertices);
   model.closed = repaired.closed;
   const Topology topology = buildTopology(model.mesh);
+  refuseScan(name, topology, options.sharp_angle);
   SurfaceSplit split = splitSurfaces(model.mesh, topology, options.sharp_angle, repaired.tolerance);
   SharpFeatures features = findSharpFeatures(model.mesh, topology, split, repaired.tolerance);
   model.surfaces = std::move(split.surfaces);
@@ -102,8 +130,9 @@ void setSymmetries(const SymmetryResult& found, ObjectModel* model) {
   model->symmetries = found.symmetries;
   if (found.twins.empty()) return;
   const NearSymmetry& t = found.twins.front();
-  model->warnings.push_back("nearly symmetric: turned by " + turnText(t.motion) + " only " +
-                            number(100 * t.differing, "%.1f") +
+  const std::string share =
+      t.differing < 0.001 ? "less than 0.1" : "only " + number(100 * t.differing, "%.1f");
+  model->warnings.push_back("nearly symmetric: turned by " + turnText(t.motion) + " " + share +
                             " % of its surface differs; such views are easily taken for each other");
 }
 

@@ -12,6 +12,8 @@
 namespace monocular_eye_hand {
 namespace {
 
+constexpr size_t kManyTriangles = 50000;  // their edges take seconds, whether or not the rest is cached
+
 /// Every option that changes what is cached, spelled exactly.
 class SpellOptions {
  public:
@@ -42,20 +44,40 @@ std::string spelled(const ObjectEntry& entry, ViewOptions views) {
   return "unit=" + entry.unit + ";" + spell.text();
 }
 
-KnownObject compile(const ObjectEntry& entry, const ViewOptions& views, const std::string& folder) {
-  const Mesh mesh = loadMesh(entry.mesh, entry.unit);
-  KnownObject object;
-  object.model = buildShape(entry.name, mesh, entry.options);
+/// Symmetries and views, the slow part, from the cache or made anew. Enters the symmetries, which the views
+/// depend on, into the model.
+ViewSphere compiledViews(const ObjectEntry& entry, const ViewOptions& views, const std::string& folder,
+                         const CompileProgress& tell, ObjectModel* model) {
   CompiledParts parts;
   const std::string name = folder.empty() ? "" : cacheName(readFileBytes(entry.mesh), spelled(entry, views));
   const bool cached = !folder.empty() && readCache(folder + "/" + name, &parts);
-  if (!cached) parts.symmetries = symmetriesOf(object.model, entry.options);
-  setSymmetries(parts.symmetries, &object.model);
   if (!cached) {
-    parts.views = sampleViews(object.model, views);
-    if (!folder.empty()) writeCache(folder, name, parts);
+    tell("looking for symmetries");
+    parts.symmetries = symmetriesOf(*model, entry.options);
   }
-  object.views = std::move(parts.views);
+  setSymmetries(parts.symmetries, model);
+  if (cached) return std::move(parts.views);
+
+  tell("looking from all sides");
+  parts.views = sampleViews(*model, views);
+  if (!folder.empty()) writeCache(folder, name, parts);
+  return std::move(parts.views);
+}
+
+KnownObject compile(const ObjectEntry& entry, const ViewOptions& views, const std::string& folder,
+                    const CompileProgress& progress) {
+  LoadedMesh loaded = readMesh(entry.mesh, entry.unit);
+  const size_t triangles = loaded.mesh.triangles.size();
+  const auto tell = [&](const std::string& step) {
+    if (progress) progress(entry.name + " (" + std::to_string(triangles) + " triangles): " + step);
+  };
+  if (triangles > kManyTriangles) tell("looking for edges");
+  KnownObject object;
+  object.model = buildShape(entry.name, loaded.mesh, entry.options);
+  std::vector<std::string>& warnings = object.model.warnings;
+  warnings.insert(warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
+
+  object.views = compiledViews(entry, views, folder, tell, &object.model);
   object.handling = entry.handling;
   return object;
 }
@@ -76,21 +98,21 @@ std::string ModelBase::names() const {
 }
 
 ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views,
-                           const std::string& cache_dir) {
+                           const std::string& cache_dir, const CompileProgress& progress) {
   views.check();
   const std::string folder = cacheFolder(cache_dir);
   ModelBase base;
   for (const ObjectEntry& entry : entries) {
     if (base.indexOf(entry.name) >= 0) throw BadInput("the object name \"" + entry.name + "\" is used twice");
-    base.objects.push_back(compile(entry, views, folder));
+    base.objects.push_back(compile(entry, views, folder, progress));
   }
   warnAboutLookAlikes(&base);
   return base;
 }
 
-ModelBase loadModelBase(const std::string& yaml_path, const ViewOptions& views,
-                        const std::string& cache_dir) {
-  return compileModelBase(readObjectEntries(yaml_path), views, cache_dir);
+ModelBase loadModelBase(const std::string& yaml_path, const ViewOptions& views, const std::string& cache_dir,
+                        const CompileProgress& progress) {
+  return compileModelBase(readObjectEntries(yaml_path), views, cache_dir, progress);
 }
 
 }  // namespace monocular_eye_hand

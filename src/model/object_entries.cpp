@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/file_path.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "read_handling.h"
 
@@ -43,10 +44,13 @@ std::string text(const YAML::Node& value, const std::string& key, const std::str
   return value.Scalar();
 }
 
-std::string beside(const std::string& yaml_path, const std::string& mesh) {
-  if (!mesh.empty() && mesh[0] == '/') return mesh;
+std::string meshPath(const std::string& yaml_path, const std::string& mesh, const std::string& where) {
   const size_t slash = yaml_path.rfind('/');
-  return slash == std::string::npos ? mesh : yaml_path.substr(0, slash + 1) + mesh;
+  try {
+    return resolvedPath(mesh, slash == std::string::npos ? "" : yaml_path.substr(0, slash));
+  } catch (const BadInput& e) {
+    throw BadInput(where + ": mesh " + e.what());
+  }
 }
 
 ObjectEntry readEntry(const YAML::Node& node, const std::string& yaml_path, const std::string& where) {
@@ -58,7 +62,7 @@ ObjectEntry readEntry(const YAML::Node& node, const std::string& yaml_path, cons
     if (key == "name") {
       entry.name = text(value, key, where);
     } else if (key == "mesh") {
-      entry.mesh = beside(yaml_path, text(value, key, where));
+      entry.mesh = meshPath(yaml_path, text(value, key, where), where);
     } else if (key == "unit") {
       entry.unit = text(value, key, where);
     } else if (readHandling(key, value, where, &entry.handling)) {
@@ -90,7 +94,8 @@ ObjectEntry readEntry(const YAML::Node& node, const std::string& yaml_path, cons
 
 }  // namespace
 
-std::vector<ObjectEntry> readObjectEntries(const std::string& yaml_path) {
+std::vector<ObjectEntry> readObjectEntries(const std::string& name) {
+  const std::string yaml_path = resolvedPath(name);
   struct stat info;
   if (stat(yaml_path.c_str(), &info) != 0)
     throw BadInput(yaml_path + ": there is no such file; check the path");

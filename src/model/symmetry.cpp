@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "closest_point.h"
+#include "symmetry_group.h"
+#include "tessellation.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -15,7 +17,11 @@ constexpr int kSurfaceSamples = 1500;
 constexpr size_t kMostVertices = 3000;  // of the mesh, used as samples besides
 constexpr double kTwinShare = 0.12;     // a rotation that moves less of the surface makes a twin
 constexpr size_t kLargestGroup = 120;
-constexpr double kSameTurn = 0.06;  // rotations closer than this are one: half of a 60-fold turn [rad]
+constexpr int kFineSamples = 6000;           // of the surface, for what passed the first ones
+constexpr size_t kMostFineVertices = 20000;  // of the mesh, besides
+constexpr double kFineSlack = 1.25;          // between samples the surface may lie a little farther off
+constexpr double kMostOfAxis = 1e-2;         // allowance of a body of revolution, as a share of the diameter
+constexpr int kFewestSegments = 24;          // of a body of revolution without any circle or cylinder
 
 double radicalInverse(unsigned n, unsigned base) {
   double value = 0, place = 1.0 / base;
@@ -33,8 +39,11 @@ struct Mark {
 class Finder {
  public:
   Finder(const ObjectModel& model, double tolerance)
-      : model_(model), tolerance_(tolerance + 1.2 * model.tessellation_error), closest_(model.mesh) {
-    sampleSurface();
+      : model_(model), tolerance_(tolerance), closest_(model.mesh), round_(model) {
+    measure();
+    samples_ = sampled(kSurfaceSamples, kMostVertices);
+    first_area_sample_ = samples_.size() - kSurfaceSamples;
+    tolerances_ = tolerancesAt(samples_);
     collectMarks();
   }
 
@@ -44,61 +53,55 @@ class Finder {
       return std::move(out_);
     }
     if (findAxis()) return std::move(out_);
-    std::vector<Rigid3> group{Rigid3{}};
-    for (const Eigen::Matrix3d& r : candidates()) {
-      const Rigid3 motion = about(r);
-      if (contains(group, motion)) continue;
-      if (holds(motion)) {
-        group.push_back(motion);
-      } else {
-        noteTwin(motion);
-      }
-    }
-    for (const Rigid3& motion : twinCandidates()) {
-      if (!contains(group, motion)) noteTwin(motion);
-    }
-    out_.symmetries.discrete = closed(std::move(group));
-    std::stable_sort(out_.twins.begin(), out_.twins.end(),
-                     [](const NearSymmetry& a, const NearSymmetry& b) { return a.differing < b.differing; });
+    findGroup();
     return std::move(out_);
   }
 
  private:
   Rigid3 about(const Eigen::Matrix3d& r) const { return {r, centroid_ - r * centroid_}; }
 
-  void sampleSurface() {
-    std::vector<double> until;
+  /// Centroid and second moment of the surface, exactly.
+  void measure() {
     double area = 0;
     centroid_.setZero();
     for (const auto& t : model_.mesh.triangles) {
       const Eigen::Vector3d a = vertex(t[0]), b = vertex(t[1]), c = vertex(t[2]);
       const double share = 0.5 * (b - a).cross(c - a).norm();
       area += share;
-      until.push_back(area);
+      until_.push_back(area);
       centroid_ += share * (a + b + c) / 3;
-      // Second moment of a triangle about the origin, exactly.
       const Eigen::Vector3d m = (a + b + c) / 3;
       moment_ +=
           share / 12 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + 9 * m * m.transpose());
     }
     centroid_ /= area;
     moment_ = (moment_ / area - centroid_ * centroid_.transpose()).eval();
-    const size_t stride = 1 + model_.mesh.vertices.size() / kMostVertices;
-    for (size_t v = 0; v < model_.mesh.vertices.size(); v += stride)
-      samples_.push_back(model_.mesh.vertices[v]);
-    first_area_sample_ = samples_.size();
-    for (int k = 0; k < kSurfaceSamples; ++k) {
-      const double at = (k + 0.5) / kSurfaceSamples * area;
-      const size_t t = size_t(std::lower_bound(until.begin(), until.end(), at) - until.begin());
-      const auto& tri = model_.mesh.triangles[std::min(t, until.size() - 1)];
+  }
+
+  /// Vertices, at most so many, then `count` points spread evenly over the surface.
+  std::vector<Eigen::Vector3d> sampled(int count, size_t most_vertices) const {
+    std::vector<Eigen::Vector3d> out;
+    const size_t stride = 1 + model_.mesh.vertices.size() / most_vertices;
+    for (size_t v = 0; v < model_.mesh.vertices.size(); v += stride) out.push_back(model_.mesh.vertices[v]);
+    for (int k = 0; k < count; ++k) {
+      const double at = (k + 0.5) / count * until_.back();
+      const size_t t = size_t(std::lower_bound(until_.begin(), until_.end(), at) - until_.begin());
+      const auto& tri = model_.mesh.triangles[std::min(t, until_.size() - 1)];
       double u = radicalInverse(unsigned(k + 1), 2), v = radicalInverse(unsigned(k + 1), 3);
       if (u + v > 1) {
         u = 1 - u;
         v = 1 - v;
       }
-      samples_.push_back(vertex(tri[0]) + u * (vertex(tri[1]) - vertex(tri[0])) +
-                         v * (vertex(tri[2]) - vertex(tri[0])));
+      out.push_back(vertex(tri[0]) + u * (vertex(tri[1]) - vertex(tri[0])) +
+                    v * (vertex(tri[2]) - vertex(tri[0])));
     }
+    return out;
+  }
+
+  std::vector<double> tolerancesAt(const std::vector<Eigen::Vector3d>& points) const {
+    std::vector<double> out;
+    for (const Eigen::Vector3d& p : points) out.push_back(tolerance_ + round_.allowanceAt(p));
+    return out;
   }
 
   const Eigen::Vector3d& vertex(int v) const { return model_.mesh.vertices[v]; }
@@ -116,23 +119,41 @@ class Finder {
     }
   }
 
-  bool holds(const Rigid3& motion) const {
+  /// True when motion and inverse leave every point within its tolerance of the surface.
+  bool keeps(const Rigid3& motion, const std::vector<Eigen::Vector3d>& points,
+             const std::vector<double>& tolerances, double slack) const {
     const Rigid3 back = motion.inverse();
-    for (const Eigen::Vector3d& p : samples_) {
-      if (closest_.distance(motion * p, 2 * tolerance_) > tolerance_) return false;
-      if (closest_.distance(back * p, 2 * tolerance_) > tolerance_) return false;
+    for (size_t k = 0; k < points.size(); ++k) {
+      const double limit = slack * tolerances[k];
+      if (closest_.distance(motion * points[k], 2 * limit) > limit) return false;
+      if (closest_.distance(back * points[k], 2 * limit) > limit) return false;
     }
     return true;
   }
 
+  bool holds(const Rigid3& motion) const { return keeps(motion, samples_, tolerances_, 1.0); }
+
+  /// The same with many more samples: a small feature must not hide between the first ones.
+  bool holdsFinely(const Rigid3& motion) {
+    if (fine_.empty()) {
+      fine_ = sampled(kFineSamples, kMostFineVertices);
+      fine_tolerances_ = tolerancesAt(fine_);
+    }
+    return keeps(motion, fine_, fine_tolerances_, kFineSlack);
+  }
+
+  /// A sphere's vertices lie on it; its facets dip below it by two sagittas.
   bool isSphere() const {
     double low = 1e300, high = 0;
-    for (const Eigen::Vector3d& p : samples_) {
-      const double r = (p - centroid_).norm();
+    for (size_t k = 0; k < first_area_sample_; ++k) {
+      const double r = (samples_[k] - centroid_).norm();
       low = std::min(low, r);
       high = std::max(high, r);
     }
-    return high - low < tolerance_;
+    if (high - low > tolerance_) return false;
+    const double dip = tolerance_ + kMostOfAxis * model_.diameter;
+    return std::all_of(samples_.begin(), samples_.end(),
+                       [&](const Eigen::Vector3d& p) { return high - (p - centroid_).norm() < dip; });
   }
 
   std::vector<Eigen::Vector3d> principalAxes() const {
@@ -170,21 +191,108 @@ class Finder {
       return false;
     }
     for (const Eigen::Vector3d& axis : axisCandidates()) {
-      bool all = true;
+      const std::vector<double> tolerances = revolvedTolerances(axis);
       // Angles without a common measure: no discrete group passes them all.
-      for (const double angle : {0.4142, 1.0, 1.6180, 2.2361, 2.7183}) {
-        all = all && holds(about(Eigen::AngleAxisd(angle, axis).toRotationMatrix()));
-      }
+      const double angles[] = {0.4142, 1.0, 1.6180, 2.2361, 2.7183};
+      const bool all = std::all_of(std::begin(angles), std::end(angles), [&](double angle) {
+        return keeps(turned(angle, axis), samples_, tolerances, 1.0);
+      });
       if (!all) continue;
-      Eigen::Index largest;
-      axis.cwiseAbs().maxCoeff(&largest);
-      const Eigen::Vector3d direction = axis[largest] < 0 ? Eigen::Vector3d(-axis) : axis;
-      out_.symmetries.axis = SymmetryAxis{centroid_ - direction * direction.dot(centroid_), direction};
-      const Rigid3 flip = about(Eigen::AngleAxisd(kPi, direction.unitOrthogonal()).toRotationMatrix());
-      if (holds(flip)) out_.symmetries.discrete.push_back(flip);
+      setAxis(axis, tolerances);
       return true;
     }
     return false;
+  }
+
+  Rigid3 turned(double angle, const Eigen::Vector3d& axis) const {
+    return about(Eigen::AngleAxisd(angle, axis).toRotationMatrix());
+  }
+
+  void setAxis(const Eigen::Vector3d& axis, const std::vector<double>& tolerances) {
+    Eigen::Index largest;
+    axis.cwiseAbs().maxCoeff(&largest);
+    const Eigen::Vector3d direction = axis[largest] < 0 ? Eigen::Vector3d(-axis) : axis;
+    out_.symmetries.axis = SymmetryAxis{centroid_ - direction * direction.dot(centroid_), direction};
+    const Rigid3 flip = turned(kPi, direction.unitOrthogonal());
+    if (keeps(flip, samples_, tolerances, 1.0)) out_.symmetries.discrete.push_back(flip);
+  }
+
+  /// Tolerances of a body of revolution whose circles are polygons: at the distance rho from the axis two of
+  /// them differ by the sagitta of rho.
+  std::vector<double> revolvedTolerances(const Eigen::Vector3d& axis) const {
+    double segment = round_.segmentAbout({centroid_, axis}, 5 * tolerance_);
+    if (segment == 0) segment = segmentOfRings(axis);
+    std::vector<double> out;
+    for (size_t k = 0; k < samples_.size(); ++k) {
+      const double rho = (samples_[k] - centroid_).cross(axis).norm();
+      const double allowance = std::min(1.2 * sagitta(rho, segment), kMostOfAxis * model_.diameter);
+      out.push_back(std::max(tolerances_[k], tolerance_ + allowance));
+    }
+    return out;
+  }
+
+  /// A vase without circle or cylinder is made of rings of vertices: the angle between two of them, 0 when
+  /// there are no rings of many.
+  double segmentOfRings(const Eigen::Vector3d& axis) const {
+    for (int fold = kFewestSegments; fold <= 72; ++fold) {
+      if (holds(turned(2 * kPi / fold, axis))) return 2 * kPi / fold;
+    }
+    return 0;
+  }
+
+  /// Candidates that hold make a group, the surest first; what does not fit into it is no symmetry.
+  void findGroup() {
+    std::vector<Eigen::Matrix3d> group{Eigen::Matrix3d::Identity()};
+    const auto rotation_holds = [&](const Eigen::Matrix3d& r) { return holds(about(r)); };
+    std::vector<Rigid3> others;
+    std::vector<Eigen::Matrix3d> misfits;  // hold, but their products do not
+    for (const Eigen::Matrix3d& r : candidates()) {
+      if (indexOfTurn(group, r) >= 0) continue;
+      const bool known = std::any_of(misfits.begin(), misfits.end(),
+                                     [&](const Eigen::Matrix3d& m) { return (m - r).norm() < 1e-3; });
+      if (!known && rotation_holds(r)) {
+        if (grow(r, &group)) continue;
+        misfits.push_back(r);
+      }
+      others.push_back(about(r));
+    }
+    keepFineGroup(&group);
+    sortTurns(&group);
+    out_.symmetries.discrete.clear();
+    for (const Eigen::Matrix3d& r : group) out_.symmetries.discrete.push_back(about(r));
+
+    for (const Rigid3& motion : twinCandidates()) others.push_back(motion);
+    for (const Rigid3& motion : others) {
+      if (indexOfTurn(group, motion.rotation) < 0) noteTwin(motion);
+    }
+    std::stable_sort(out_.twins.begin(), out_.twins.end(),
+                     [](const NearSymmetry& a, const NearSymmetry& b) { return a.differing < b.differing; });
+  }
+
+  /// Takes the rotation, or the simple fraction of a turn that it nearly is, into the group.
+  bool grow(const Eigen::Matrix3d& r, std::vector<Eigen::Matrix3d>* group) {
+    const auto rotation_holds = [&](const Eigen::Matrix3d& turn) { return holds(about(turn)); };
+    for (const Eigen::Matrix3d& turn : {tidy(r), r}) {
+      if (!rotation_holds(turn) || !holdsFinely(about(turn))) continue;
+      if (auto grown = grownGroup(*group, turn, rotation_holds, kLargestGroup)) {
+        *group = std::move(*grown);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Products of rotations that hold finely may miss by the sum: then the elements that hold are grown anew,
+  /// each from those before it.
+  void keepFineGroup(std::vector<Eigen::Matrix3d>* group) {
+    const auto finely = [&](const Eigen::Matrix3d& r) { return holdsFinely(about(r)); };
+    if (std::all_of(group->begin() + 1, group->end(), finely)) return;
+    std::vector<Eigen::Matrix3d> kept{Eigen::Matrix3d::Identity()};
+    for (const Eigen::Matrix3d& r : *group) {
+      if (indexOfTurn(kept, r) >= 0 || !finely(r)) continue;
+      if (auto grown = grownGroup(kept, r, finely, kLargestGroup)) kept = std::move(*grown);
+    }
+    *group = std::move(kept);
   }
 
   /// Marks of the kind with the fewest members that do not lie on the centroid.
@@ -296,50 +404,17 @@ class Finder {
     }
   }
 
-  static double apart(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
-    return Eigen::AngleAxisd(a.transpose() * b).angle();
-  }
-
-  static bool contains(const std::vector<Rigid3>& group, const Rigid3& motion) {
-    return std::any_of(group.begin(), group.end(),
-                       [&](const Rigid3& g) { return apart(g.rotation, motion.rotation) < kSameTurn; });
-  }
-
-  /// Products of symmetries are symmetries: adds those that no candidate named, in a repeatable order.
-  std::vector<Rigid3> closed(std::vector<Rigid3> group) const {
-    for (size_t i = 0; i < group.size() && group.size() < kLargestGroup; ++i) {
-      for (size_t j = 0; j <= i && group.size() < kLargestGroup; ++j) {
-        for (const Rigid3& product : {group[i] * group[j], group[j] * group[i]}) {
-          if (!contains(group, product) && holds(about(product.rotation)))
-            group.push_back(about(product.rotation));
-        }
-      }
-    }
-    for (Rigid3& g : group) g = tidy(g);
-    std::stable_sort(group.begin() + 1, group.end(), [](const Rigid3& a, const Rigid3& b) {
-      const double ta = a.rotation.trace(), tb = b.rotation.trace();
-      if (std::abs(ta - tb) > 1e-6) return ta > tb;
-      for (int k = 0; k < 9; ++k) {
-        const double d = a.rotation(k / 3, k % 3) - b.rotation(k / 3, k % 3);
-        if (std::abs(d) > 1e-6) return d > 0;
-      }
-      return false;
-    });
-    return group;
-  }
-
   /// The angle of a group's member is a simple fraction of a turn: takes the noise of the features out of it.
-  Rigid3 tidy(const Rigid3& g) const {
-    const Eigen::AngleAxisd turn(g.rotation);
-    if (turn.angle() < 1e-9) return {};
+  static Eigen::Matrix3d tidy(const Eigen::Matrix3d& r) {
+    const Eigen::AngleAxisd turn(r);
     for (int fold = 2; fold <= 60; ++fold) {
       for (int k = 1; 2 * k <= fold; ++k) {
         const double angle = 2 * kPi * k / fold;
-        if (std::abs(turn.angle() - angle) < 1e-3)
-          return about(Eigen::AngleAxisd(angle, turn.axis()).toRotationMatrix());
+        if (std::abs(turn.angle() - angle) < 5e-3)
+          return Eigen::AngleAxisd(angle, turn.axis()).toRotationMatrix();
       }
     }
-    return g;
+    return r;
   }
 
   void noteTwin(const Rigid3& motion) {
@@ -352,7 +427,7 @@ class Finder {
       if (double(off) > kTwinShare * double(count)) return;
     }
     for (const NearSymmetry& t : out_.twins) {
-      if (apart(t.motion.rotation, motion.rotation) < kSameTurn) return;
+      if (indexOfTurn({t.motion.rotation}, motion.rotation) == 0) return;
     }
     out_.twins.push_back({motion, double(off) / double(count)});
   }
@@ -360,9 +435,12 @@ class Finder {
   const ObjectModel& model_;
   double tolerance_;
   ClosestPoint closest_;
+  Tessellation round_;
   Eigen::Vector3d centroid_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d moment_ = Eigen::Matrix3d::Zero();
-  std::vector<Eigen::Vector3d> samples_;
+  std::vector<double> until_;  // area of the triangles up to each [m^2]
+  std::vector<Eigen::Vector3d> samples_, fine_;
+  std::vector<double> tolerances_, fine_tolerances_;
   size_t first_area_sample_ = 0;
   std::vector<Mark> marks_;
   SymmetryResult out_;

@@ -29,7 +29,9 @@ std::string quoted(const std::string& word) {
 
 void TextScanner::skipBlank() {
   while (at_ < text_.size() && blank(text_[at_])) {
-    if (text_[at_] == '\n') ++line_;
+    // A carriage return ends a line, too, unless a line feed follows.
+    const bool carriage_return = text_[at_] == '\r' && (at_ + 1 == text_.size() || text_[at_ + 1] != '\n');
+    if (text_[at_] == '\n' || carriage_return) ++line_;
     ++at_;
   }
 }
@@ -43,13 +45,13 @@ std::string TextScanner::word() {
 
 std::string TextScanner::line() {
   const size_t begin = at_;
-  while (at_ < text_.size() && text_[at_] != '\n') ++at_;
-  size_t end = at_;
+  while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
+  const size_t end = at_;
   if (at_ < text_.size()) {
+    if (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++at_;
     ++at_;
     ++line_;
   }
-  while (end > begin && text_[end - 1] == '\r') --end;
   return text_.substr(begin, end - begin);
 }
 
@@ -58,29 +60,40 @@ bool TextScanner::atEnd() {
   return at_ >= text_.size();
 }
 
-double TextScanner::number(const char* what) {
+std::string TextScanner::neededWord(const char* what) {
   const std::string w = word();
   if (w.empty())
     fail(std::string("the file ends where ") + what + " should stand; it was cut off: export it again");
-  char* end = nullptr;
-  const double value = parseInCLocale(w.c_str(), &end);
-  if (end != w.c_str() + w.size()) fail(quoted(w) + " stands where " + what + " (a number) should stand");
-  if (!std::isfinite(value))
-    fail(std::string(what) + " is " + quoted(w) + ", not a finite number: repair the mesh");
+  return w;
+}
+
+double TextScanner::number(const char* what) {
+  const double value = anyNumber(what);
+  if (!std::isfinite(value)) fail(std::string(what) + " is not a finite number: repair the mesh");
   return value;
 }
 
+double TextScanner::anyNumber(const char* what) {
+  const std::string w = neededWord(what);
+  char* end = nullptr;
+  const double value = parseInCLocale(w.c_str(), &end);
+  if (end == w.c_str() + w.size()) return value;
+  const char* hint = *end == ',' ? "; numbers need a decimal point, not a comma: export it again" : "";
+  fail(quoted(w) + " stands where " + what + " (a number) should stand" + hint);
+}
+
 long long TextScanner::integer(const char* what) {
-  const std::string w = word();
-  if (w.empty())
-    fail(std::string("the file ends where ") + what + " should stand; it was cut off: export it again");
+  const std::string w = neededWord(what);
   char* end = nullptr;
   errno = 0;
   const long long value = std::strtoll(w.c_str(), &end, 10);
-  if (end != w.c_str() + w.size() || errno != 0) {
-    fail(quoted(w) + " stands where " + what + " (an integer) should stand");
-  }
-  return value;
+  if (end == w.c_str() + w.size() && errno == 0) return value;
+
+  // Some scripts write every number as a real one: 3.0.
+  const double real = parseInCLocale(w.c_str(), &end);
+  if (end == w.c_str() + w.size() && std::abs(real) < 1e15 && real == std::floor(real))
+    return (long long)(real);
+  fail(quoted(w) + " stands where " + what + " (an integer) should stand");
 }
 
 void TextScanner::fail(const std::string& problem) const {

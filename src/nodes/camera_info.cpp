@@ -24,24 +24,14 @@ bool allZero(const Numbers& numbers) {
 
 std::string size(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-// The part of the sensor that the image shows: whole blocks of binning, in full-resolution pixels.
-struct Window {
-  int x = 0, y = 0, width = 0, height = 0;
-  int bin_x = 1, bin_y = 1;
-};
-
-Window windowOf(const sensor_msgs::CameraInfo& info, ImageKind kind) {
-  Window w;
+PixelWindow windowOf(const sensor_msgs::CameraInfo& info, ImageKind kind) {
+  PixelWindow w;
   w.bin_x = std::max(1, int(info.binning_x));
   w.bin_y = std::max(1, int(info.binning_y));
   w.width = int(info.width);
   w.height = int(info.height);
   const sensor_msgs::RegionOfInterest& roi = info.roi;
   if (roi.width == 0 && roi.height == 0) return w;  // REP-104: all zero means the whole image
-  if (uint64_t(roi.x_offset) + roi.width > info.width || uint64_t(roi.y_offset) + roi.height > info.height)
-    throw BadCameraInfo("the region of interest (" + size(int(roi.width), int(roi.height)) + " at " +
-                        std::to_string(roi.x_offset) + ", " + std::to_string(roi.y_offset) +
-                        ") leaves the camera's " + size(w.width, w.height) + " image");
   if (kind == ImageKind::kRectified && roi.do_rectify)
     throw BadCameraInfo(
         "roi.do_rectify gives the rectified image a region of its own, which is not supported: "
@@ -89,7 +79,7 @@ Camera cameraFromInfo(const sensor_msgs::CameraInfo& info, ImageKind kind, int w
   requireFinite(info.D, "D");
   requireFinite(info.R, "R");
   requireFinite(info.P, "P");
-  const Window window = windowOf(info, kind);
+  const PixelWindow window = windowOf(info, kind);
   if (window.width / window.bin_x != width || window.height / window.bin_y != height) {
     std::string expected = size(window.width / window.bin_x, window.height / window.bin_y);
     if (window.bin_x != 1 || window.bin_y != 1)
@@ -98,28 +88,17 @@ Camera cameraFromInfo(const sensor_msgs::CameraInfo& info, ImageKind kind, int w
     throw BadCameraInfo("the image is " + size(width, height) + " but camera_info describes " + expected +
                         ": use the calibration of this image size");
   }
-  Camera camera;
   try {
-    camera = fullCamera(info, kind);
+    return fullCamera(info, kind).seenThrough(window);
   } catch (const BadCameraInfo&) {
     throw;
   } catch (const BadInput& e) {
     throw BadCameraInfo(e.what());
   }
-  camera.width = width;
-  camera.height = height;
-  camera.fx /= window.bin_x;
-  camera.fy /= window.bin_y;
-  camera.cx = (camera.cx - window.x + 0.5) / window.bin_x - 0.5;
-  camera.cy = (camera.cy - window.y + 0.5) / window.bin_y - 0.5;
-  if (!(camera.cx > 0 && camera.cx < width && camera.cy > 0 && camera.cy < height))
-    throw BadCameraInfo(
-        "the region of interest leaves out the principal point, which is not supported: widen it");
-  return camera;
 }
 
 Camera cameraFromInfo(const sensor_msgs::CameraInfo& info, ImageKind kind) {
-  const Window window = windowOf(info, kind);
+  const PixelWindow window = windowOf(info, kind);
   return cameraFromInfo(info, kind, window.width / window.bin_x, window.height / window.bin_y);
 }
 
@@ -127,12 +106,18 @@ sensor_msgs::CameraInfo toCameraInfo(const Camera& camera) {
   sensor_msgs::CameraInfo info;
   info.width = uint32_t(camera.width);
   info.height = uint32_t(camera.height);
-  const bool rational = camera.model == DistortionModel::kRationalPolynomial;
-  info.distortion_model = rational ? "rational_polynomial" : "plumb_bob";
-  info.D.assign(camera.d.begin(), camera.d.begin() + (rational ? 8 : 5));
+  info.distortion_model = distortionName(camera);
+  info.D.assign(camera.d.begin(), camera.d.begin() + distortionCount(camera));
   info.K = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
   info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   info.P = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
+  return info;
+}
+
+sensor_msgs::CameraInfo toCameraInfo(const CameraFile& file) {
+  sensor_msgs::CameraInfo info = toCameraInfo(file.camera);
+  if (file.rectification) std::copy(file.rectification->begin(), file.rectification->end(), info.R.begin());
+  if (file.projection) std::copy(file.projection->begin(), file.projection->end(), info.P.begin());
   return info;
 }
 

@@ -5,6 +5,7 @@
 
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/camera_file.h"
 
 namespace monocular_eye_hand {
 
@@ -31,5 +32,7 @@ Camera cameraFromInfo(const sensor_msgs::CameraInfo& info, ImageKind kind);
 /// The calibration of a raw image of this camera; its header is left to the caller. image_rect of it has the
 /// same fx, fy, cx, cy.
 sensor_msgs::CameraInfo toCameraInfo(const Camera& camera);
+/// The same of a calibration file, with the rectification and projection that it writes.
+sensor_msgs::CameraInfo toCameraInfo(const CameraFile& file);
 
 }  // namespace monocular_eye_hand

@@ -1,12 +1,13 @@
 #include "nodes/image_source_node.h"
 
-#include <camera_calibration_parsers/parse.h>
 #include <cv_bridge/cv_bridge.h>
 #include <sensor_msgs/image_encodings.h>
 
 #include <filesystem>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/file_path.h"
+#include "nodes/camera_info.h"
 #include "nodes/names.h"
 
 namespace monocular_eye_hand {
@@ -19,6 +20,18 @@ std::string size(int width, int height) { return std::to_string(width) + "x" + s
 const char* encodingOf(const cv::Mat& image) {
   if (image.channels() == 3) return image.depth() == CV_16U ? enc::BGR16.c_str() : enc::BGR8.c_str();
   return image.depth() == CV_16U ? enc::MONO16.c_str() : enc::MONO8.c_str();
+}
+
+CameraFile readCalibration(const std::string& file) {
+  try {
+    CameraFile read = readCameraFile(file);
+    ROS_INFO("camera_info: %s (%s)", file.c_str(), read.kind.c_str());
+    for (const std::string& warning : read.warnings)
+      ROS_WARN("camera_info: %s: %s", file.c_str(), warning.c_str());
+    return read;
+  } catch (const BadInput& e) {
+    throw BadInput(std::string("camera_info: ") + e.what());
+  }
 }
 
 }  // namespace
@@ -34,21 +47,22 @@ ImageSourceNode::ImageSourceNode(const ImageSourceParameters& parameters)
 }
 
 void ImageSourceNode::loadCalibration() {
-  const std::string& file = parameters_.camera_info;
-  std::string name = "camera";
-  if (file.empty()) {
+  if (parameters_.camera_info.empty()) {
     ROS_WARN("camera_info is not set: an uncalibrated camera is published");
     // A file that is not there: the manager would otherwise take one from an earlier set_camera_info.
-    calibration_ = std::make_unique<camera_info_manager::CameraInfoManager>(node_, name);
+    calibration_ = std::make_unique<camera_info_manager::CameraInfoManager>(node_, "camera");
     return;
   }
+  const std::string file = resolvedPath(parameters_.camera_info);
   if (!std::filesystem::is_regular_file(file))
-    throw BadInput("camera_info: there is no file " + file + " (the YAML of camera_calibration is expected)");
-  sensor_msgs::CameraInfo info;
-  if (!camera_calibration_parsers::readCalibration(file, name, info))
-    throw BadInput("camera_info: " + file + " cannot be read as a YAML of camera_calibration");
-  const std::string url = "file://" + std::filesystem::absolute(file).string();
-  calibration_ = std::make_unique<camera_info_manager::CameraInfoManager>(node_, name, url);
+    throw BadInput("camera_info: there is no file " + file + " (a calibration of these images is expected)");
+  const CameraFile read = readCalibration(file);
+  // set_camera_info writes a YAML of camera_calibration: it goes over no other kind of file.
+  const bool may_be_overwritten = read.kind == kRosYamlKind;
+  const std::string url = may_be_overwritten ? "file://" + std::filesystem::absolute(file).string() : "";
+  calibration_ = std::make_unique<camera_info_manager::CameraInfoManager>(
+      node_, read.name.empty() ? "camera" : read.name, url);
+  calibration_->setCameraInfo(toCameraInfo(read));
 }
 
 void ImageSourceNode::waitForSubscriber() const {

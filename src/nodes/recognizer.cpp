@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
     // image_transport's plugins keep their settings below the name of the topic they publish.
     meh::readOptions(meh::privateParameters({"overlay"}), &parameters);
     ROS_INFO("loading the model base %s (compiled once, then cached)", parameters.objects.c_str());
-    const meh::Recognizer recognizer(meh::loadModelBase(parameters.objects, {}, parameters.cache),
+    const auto tell = [](const std::string& step) { ROS_INFO("%s", step.c_str()); };
+    const meh::Recognizer recognizer(meh::loadModelBase(parameters.objects, {}, parameters.cache, tell),
                                      parameters.recognition);
     for (const meh::KnownObject& known : recognizer.models().objects)
       for (const std::string& warning : known.model.warnings)

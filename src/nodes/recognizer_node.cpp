@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "monocular_eye_hand/io/camera_file.h"
+#include "monocular_eye_hand/recognition/size_check.h"
 #include "nodes/camera_info.h"
 #include "nodes/grey_image.h"
 #include "nodes/names.h"
@@ -85,6 +87,7 @@ void RecognizerNode::workOn(const CameraFrame& frame, const std::vector<PendingR
   };
   try {
     const WorkedImage image = prepare(frame);
+    warnAboutCamera(image.camera);
     diagnostics_.cameraGood(std::to_string(image.grey.cols) + "x" + std::to_string(image.grey.rows) + " " +
                             frame.image->encoding);
     // One object by name is looked for on its own: that search ends at the first good match. The search for
@@ -109,6 +112,13 @@ void RecognizerNode::workOn(const CameraFrame& frame, const std::vector<PendingR
     ROS_ERROR("recognition failed: %s", e.what());
     refuse(Recognize::Response::FAILED, std::string("recognition failed: ") + e.what());
   }
+}
+
+void RecognizerNode::warnAboutCamera(const Camera& camera) {
+  if (camera_checked_.exchange(true)) return;
+  for (const std::string& warning : cameraWarnings(camera)) ROS_WARN("camera_info: %s", warning.c_str());
+  for (const std::string& warning : sizeWarnings(recognizer_.models(), camera, recognizer_.options()))
+    ROS_WARN("%s", warning.c_str());
 }
 
 WorkedImage RecognizerNode::prepare(const CameraFrame& frame) const {

@@ -27,6 +27,8 @@ class RecognizerNode {
  private:
   void work();
   void workOn(const CameraFrame& frame, const std::vector<PendingRequestPtr>& requests, bool publish_all);
+  /// Tells once what looks wrong about the camera, and which objects it cannot see.
+  void warnAboutCamera(const Camera& camera);
   /// Header, grey image and camera of a frame; throws BadImage or BadCameraInfo.
   WorkedImage prepare(const CameraFrame& frame) const;
   /// Searches, publishes, and returns the service's reply.
@@ -44,7 +46,7 @@ class RecognizerNode {
   ros::NodeHandle service_node_;
   ros::ServiceServer service_;
   ros::AsyncSpinner service_spinner_;
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, camera_checked_{false};
   std::thread worker_;
 };
 

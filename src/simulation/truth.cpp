@@ -90,12 +90,11 @@ std::vector<TruthObject> readTruth(const std::string& path) {
 
 void writeCamera(const std::string& path, const Camera& camera, const std::string& name) {
   std::ofstream file = openToWrite(path);
-  const bool rational = camera.model == DistortionModel::kRationalPolynomial;
-  const int count = rational ? 8 : 5;
+  const std::string lens = distortionName(camera);
+  const int count = distortionCount(camera);
   file << "image_width: " << camera.width << "\nimage_height: " << camera.height << "\ncamera_name: " << name
        << "\ncamera_matrix:\n  rows: 3\n  cols: 3\n  data: [" << camera.fx << ", 0, " << camera.cx << ", 0, "
-       << camera.fy << ", " << camera.cy
-       << ", 0, 0, 1]\ndistortion_model: " << (rational ? "rational_polynomial" : "plumb_bob")
+       << camera.fy << ", " << camera.cy << ", 0, 0, 1]\ndistortion_model: " << lens
        << "\ndistortion_coefficients:\n  rows: 1\n  cols: " << count << "\n  data: [";
   for (int k = 0; k < count; ++k) file << (k ? ", " : "") << camera.d[k];
   file << "]\nrectification_matrix:\n  rows: 3\n  cols: 3\n  data: [1, 0, 0, 0, 1, 0, 0, 0, 1]"

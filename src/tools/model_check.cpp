@@ -146,7 +146,9 @@ nlohmann::json asJson(const KnownObject& object) {
 }
 
 void check(const Arguments& arguments) {
-  const ModelBase base = compileModelBase(entriesOf(arguments));
+  const ModelBase base = compileModelBase(entriesOf(arguments), {}, "", [](const std::string& step) {
+    std::cerr << "model_check: " << step << std::endl;
+  });
   nlohmann::json report = nlohmann::json::array();
   std::vector<cv::Mat> pictures;
   for (const KnownObject& object : base.objects) {

@@ -10,9 +10,11 @@
 
 #include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/options/image_files.h"
 #include "monocular_eye_hand/options/options.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/recognition/size_check.h"
 #include "monocular_eye_hand/report/explanation.h"
 #include "monocular_eye_hand/report/result_drawing.h"
 #include "result_output.h"
@@ -115,6 +117,16 @@ void writeJson(const std::string& path, const nlohmann::ordered_json& document) 
   if (!file) throw BadInput(path + ": cannot be written");
 }
 
+void warn(const std::string& text) { std::cerr << "recognize: warning: " << text << "\n"; }
+
+void warnAboutModels(const Recognizer& recognizer, const Camera& camera) {
+  for (const KnownObject& known : recognizer.models().objects) {
+    for (const std::string& warning : known.model.warnings) warn(known.model.name + ": " + warning);
+  }
+  for (const std::string& warning : sizeWarnings(recognizer.models(), camera, recognizer.options()))
+    warn(warning);
+}
+
 int recognize(const Arguments& args) {
   const RecognitionOptions options = effectiveOptions(args);
   if (args.show_options) {
@@ -126,8 +138,12 @@ int recognize(const Arguments& args) {
   if (args.camera.empty()) throw BadInput("--camera FILE.yaml is missing: the camera's calibration");
   if (args.images.empty()) throw BadInput("no image given");
   const std::vector<std::string> images = allImages(args.images);
-  const Camera camera = loadCamera(args.camera);
-  const Recognizer recognizer(loadModelBase(args.objects), options);
+  const CameraFile calibration = readCameraFile(args.camera);
+  for (const std::string& warning : calibration.warnings) warn(args.camera + ": " + warning);
+  const Camera& camera = calibration.camera;
+  const auto tell = [](const std::string& step) { std::cerr << "recognize: " << step << std::endl; };
+  const Recognizer recognizer(loadModelBase(args.objects, {}, "", tell), options);
+  warnAboutModels(recognizer, camera);
   if (!args.only.empty() && recognizer.models().indexOf(args.only) < 0)
     throw BadInput("--only " + args.only + ": no such object; known are " + recognizer.models().names());
 
@@ -163,7 +179,10 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit code: 0 when every image was processed, whether or not something was found; 1 on bad input.");
   app.add_option("--objects", args.objects, "model base: YAML list of CAD files, as config/objects.yaml");
-  app.add_option("--camera", args.camera, "calibration YAML of camera_calibration");
+  app.add_option(
+      "--camera", args.camera,
+      "calibration: YAML or ost.ini of camera_calibration, OpenCV FileStorage, CameraInfo, kalibr, "
+      "ViSP");
   app.add_option("--only", args.only,
                  "look for this object only; stops at its first plausible and reliable match");
   app.add_option("--budget", args.budget,

@@ -9,6 +9,7 @@
 #include "bop_output.h"
 #include "demo_scenes.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
 #include "monocular_eye_hand/simulation/truth.h"

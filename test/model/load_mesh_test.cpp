@@ -1,16 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
-#include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/model_base.h"
-#include "shapes.h"
+#include "mesh_file.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -18,84 +11,8 @@ namespace {
 using namespace shapes;
 using testing::HasSubstr;
 
-/// A file in the test's own temporary folder, removed at the end.
-class File {
- public:
-  File(const std::string& extension, const std::string& bytes) {
-    static int number = 0;
-    path = testing::TempDir() + "load_mesh_" + std::to_string(getpid()) + "_" + std::to_string(number++) +
-           "." + extension;
-    std::ofstream(path, std::ios::binary) << bytes;
-  }
-  ~File() { std::remove(path.c_str()); }
-  std::string path;
-};
-
 Mesh load(const std::string& extension, const std::string& bytes, const std::string& unit = "mm") {
-  return loadMesh(File(extension, bytes).path, unit);
-}
-std::string failure(const std::string& extension, const std::string& bytes) {
-  const File file(extension, bytes);
-  try {
-    loadMesh(file.path, "mm");
-  } catch (const BadInput& e) {
-    EXPECT_THAT(e.what(), HasSubstr(file.path));
-    return e.what();
-  }
-  return "no error";
-}
-
-template <class T>
-std::string raw(T value, bool big = false) {
-  std::string s(reinterpret_cast<const char*>(&value), sizeof value);
-  return big ? std::string(s.rbegin(), s.rend()) : s;
-}
-std::string asciiStl(const Mesh& m) {
-  std::ostringstream out;
-  out << "solid part\n";
-  for (const auto& t : m.triangles) {
-    out << " facet normal 0 0 0\n  outer loop\n";
-    for (const int v : t) out << "   vertex " << m.vertices[v].transpose() << "\n";
-    out << "  endloop\n endfacet\n";
-  }
-  out << "endsolid part\n";
-  return out.str();
-}
-std::string binaryStl(const Mesh& m, const std::string& title = "binary") {
-  std::string s = title;
-  s.resize(80, ' ');
-  s += raw(uint32_t(m.triangles.size()));
-  for (const auto& t : m.triangles) {
-    for (int k = 0; k < 3; ++k) s += raw(0.0f);
-    for (const int v : t) {
-      for (int k = 0; k < 3; ++k) s += raw(float(m.vertices[v][k]));
-    }
-    s += raw(uint16_t(0));
-  }
-  return s;
-}
-std::string ply(const Mesh& m, const std::string& format) {
-  std::ostringstream out;
-  out << "ply\nformat " << format << " 1.0\ncomment made by a test\nelement vertex " << m.vertices.size()
-      << "\nproperty float x\nproperty double y\nproperty float z\nproperty uchar red\nelement face "
-      << m.triangles.size() << "\nproperty short flags\nproperty list uchar int vertex_indices\nend_header\n";
-  const bool big = format == "binary_big_endian";
-  for (const Point& v : m.vertices) {
-    if (format == "ascii") {
-      out << v.transpose() << " 7\n";
-    } else {
-      out << raw(float(v.x()), big) << raw(double(v.y()), big) << raw(float(v.z()), big) << char(7);
-    }
-  }
-  for (const auto& t : m.triangles) {
-    if (format == "ascii") {
-      out << "-3 3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
-    } else {
-      out << raw(int16_t(-3), big) << char(3) << raw(int32_t(t[0]), big) << raw(int32_t(t[1]), big)
-          << raw(int32_t(t[2]), big);
-    }
-  }
-  return out.str();
+  return loadMesh(MeshFile(extension, bytes).path, unit);
 }
 
 void expectBox(const Mesh& m, double x, double y, double z) {
@@ -131,40 +48,13 @@ TEST(LoadMesh, ReadsTwoSolidsAndCapitalsAndWindowsLineEnds) {
 }
 
 TEST(LoadMesh, ReadsObjAndDae) {
-  std::string obj;
-  for (const Point& v : kBox.vertices) {
-    std::ostringstream line;
-    line << "v " << v.transpose() << "\n";
-    obj += line.str();
-  }
-  for (const auto& t : kBox.triangles) {
-    obj += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " + std::to_string(t[2] + 1) +
-           "\n";
-  }
-  expectBox(load("obj", obj), 0.04, 0.05, 0.06);
+  expectBox(load("obj", obj(kBox)), 0.04, 0.05, 0.06);
   // The unit and the "up" of a COLLADA file do not count: the caller states the unit, and the frame is the
   // file's.
   for (const char* up : {"Z_UP", "Y_UP", "X_UP"}) {
     for (const char* unit : {"<unit name=\"inch\" meter=\"0.0254\"/>", "<unit meter=\"1\"/>", ""}) {
-      std::ostringstream dae;
-      dae << "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
-             "version=\"1.4.1\">"
-          << "<asset>" << unit << "<up_axis>" << up << "</up_axis></asset><library_geometries>"
-          << "<geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\""
-          << 3 * kBox.vertices.size() << "\">";
-      for (const Point& v : kBox.vertices) dae << v.transpose() << " ";
-      dae << "</float_array><technique_common><accessor source=\"#a\" count=\"" << kBox.vertices.size()
-          << "\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/>"
-          << "<param name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices id=\"v\">"
-          << "<input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\""
-          << kBox.triangles.size() << "\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>";
-      for (const auto& t : kBox.triangles) dae << t[0] << " " << t[1] << " " << t[2] << " ";
-      dae << "</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene "
-             "id=\"s\">"
-          << "<node id=\"n\"><instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>"
-          << "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
       SCOPED_TRACE(std::string(up) + " " + unit);
-      expectBox(load("dae", dae.str()), 0.04, 0.05, 0.06);
+      expectBox(load("dae", dae(kBox, unit, up)), 0.04, 0.05, 0.06);
     }
   }
 }
@@ -210,7 +100,7 @@ TEST(LoadMesh, BadFilesAreRefusedWithTheReason) {
   EXPECT_THROW(loadMesh(testing::TempDir(), "mm"), BadInput);
   EXPECT_THAT(failure("stl", ""), HasSubstr("empty"));
   EXPECT_THAT(failure("step", "ISO-10303"), HasSubstr("unknown kind"));
-  EXPECT_THAT(failure("stl", "hello"), HasSubstr("too few"));
+  EXPECT_THAT(failure("stl", "hello"), HasSubstr("where solid should stand"));
   EXPECT_THAT(failure("stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 x 2\n"), HasSubstr("line 4"));
   EXPECT_THAT(failure("stl", "solid a\nendsolid a\n"), HasSubstr("no triangles"));
   std::string nan = asciiStl(kBox);
@@ -222,10 +112,9 @@ TEST(LoadMesh, BadFilesAreRefusedWithTheReason) {
   EXPECT_THAT(failure("stl", binary_nan), HasSubstr("finite"));
   std::memcpy(&binary_nan[84 + 12], &infinite, 4);
   EXPECT_THAT(failure("stl", binary_nan), HasSubstr("finite"));
-  std::string absurd = binaryStl(kBox);
-  std::memset(&absurd[80], 0xff, 4);
-  EXPECT_THAT(failure("stl", absurd), HasSubstr("4294967295 triangles"));
-  EXPECT_THAT(failure("stl", binaryStl(kBox) + "tail"), HasSubstr("bytes"));
+  std::string absurd = binaryStl(kBox).substr(0, 84 + 11 * 50);
+  std::memset(&absurd[80], 0x7f, 4);
+  EXPECT_THAT(failure("stl", absurd), HasSubstr("2139062143 triangles"));
 }
 
 TEST(LoadMesh, BadPlyFilesAreRefusedWithTheReason) {
@@ -235,7 +124,7 @@ TEST(LoadMesh, BadPlyFilesAreRefusedWithTheReason) {
   EXPECT_THAT(failure("ply", "ply\nformat nonsense 1.0\nend_header\n\n"), HasSubstr("nonsense"));
   EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 4\n", 4, 1)), HasSubstr("vertex 4"));
   EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 -1\n", 4, 1)), HasSubstr("vertex -1"));
-  EXPECT_THAT(failure("ply", plyText(kFour, "2 0 1\n", 4, 1)), HasSubstr("fewer than three"));
+  EXPECT_THAT(failure("ply", plyText(kFour, "2 0 1\n", 4, 1)), HasSubstr("no triangles"));
   EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 2\n", 4, 2000000000)), HasSubstr("damaged"));
   EXPECT_THAT(failure("ply", plyText(kFour, "99999 0 1 2\n", 4, 1)), HasSubstr("damaged"));
   EXPECT_THAT(failure("ply", plyText(kFour, "-3 0 1 2\n", 4, 1)), HasSubstr("damaged"));
@@ -243,7 +132,6 @@ TEST(LoadMesh, BadPlyFilesAreRefusedWithTheReason) {
               HasSubstr("finite"));
   EXPECT_THAT(failure("ply", plyText("0 0 0\n1 0 1e999\n1 1 0\n0 1 0\n", "3 0 1 2\n", 4, 1)),
               HasSubstr("finite"));
-  EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 2\n3 0 2 3\n", 4, 1)), HasSubstr("data follow"));
   EXPECT_THAT(failure("ply", plyText(kFour, "", 4, 0)), HasSubstr("no triangles"));
   EXPECT_THAT(
       failure("ply",
@@ -256,7 +144,8 @@ TEST(LoadMesh, BadPlyFilesAreRefusedWithTheReason) {
               HasSubstr("face"));
   EXPECT_THAT(failure("ply",
                       "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000000000000\n"
-                      "property float x\nproperty float y\nproperty float z\nend_header\n1234"),
+                      "property float x\nproperty float y\nproperty float z\nelement face 1\n"
+                      "property list uchar int vertex_indices\nend_header\n1234"),
               HasSubstr("damaged"));
 }
 
@@ -276,7 +165,11 @@ TEST(LoadMesh, TruncationAtEveryLengthIsRefused) {
                         : text ? 1
                                : 0;
     for (size_t length = 0; length < bytes.size() - tail; ++length) {
-      EXPECT_THROW(load(extension, bytes.substr(0, length)), BadInput) << extension << " cut at " << length;
+      const std::string cut = bytes.substr(0, length);
+      // Behind a whole facet only endsolid is missing, which is warned of.
+      const size_t last = cut.find_last_not_of(" \n"), facet = cut.rfind("endfacet");
+      if (text && facet != std::string::npos && facet + 7 == last) continue;
+      EXPECT_THROW(load(extension, cut), BadInput) << extension << " cut at " << length;
     }
     EXPECT_EQ(load(extension, bytes).triangles.size(), 2u);
   }

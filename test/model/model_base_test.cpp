@@ -100,6 +100,63 @@ TEST(ModelBase, ShippedBaseLoads) {
   for (const KnownObject& o : base.objects) EXPECT_GT(o.views.views.size(), 0u);
 }
 
+TEST(ModelBase, ProgressIsTold) {
+  Folder folder;
+  std::vector<std::string> told;
+  const auto tell = [&](const std::string& text) { told.push_back(text); };
+  compileModelBase({entry("flange")}, {}, folder.path, tell);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_THAT(told[0], HasSubstr("flange ("));
+  EXPECT_THAT(told[0], HasSubstr("symmetries"));
+  compileModelBase({entry("flange")}, {}, folder.path, tell);  // from the cache: nothing takes long
+  EXPECT_EQ(told.size(), 2u);
+}
+
+/// A block of `n` x `n` facets a face whose vertices are off by noise, as a scanner leaves them.
+Mesh scannedBlock(int n, double noise) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> off(0, noise);
+  Mesh m;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      std::vector<Point> grid;
+      for (int k = 0; k < (n + 1) * (n + 1); ++k) {
+        Point p;
+        p[axis] = 0.03 * side + off(random);
+        p[(axis + 1) % 3] = 0.03 * (2.0 * (k % (n + 1)) / n - 1);
+        p[(axis + 2) % 3] = 0.03 * (2.0 * (k / (n + 1)) / n - 1);
+        grid.push_back(p);
+      }
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          const int a = j * (n + 1) + i, b = a + n + 1;
+          if (side > 0) quad(&m, grid[a], grid[a + 1], grid[b + 1], grid[b]);
+          if (side < 0) quad(&m, grid[a], grid[b], grid[b + 1], grid[a + 1]);
+        }
+      }
+    }
+  }
+  return m;
+}
+
+TEST(Scans, NoisyOnesAreRefusedAndSmallerOnesWarnedAbout) {
+  for (const int n : {60, 120}) {
+    try {
+      buildModel("scan", scannedBlock(n, 0.0005));
+      FAIL() << n;
+    } catch (const BadInput& e) {
+      EXPECT_THAT(e.what(), HasSubstr("scan"));
+      EXPECT_THAT(e.what(), HasSubstr("CAD model"));
+    }
+  }
+  bool warned = false;
+  for (const std::string& w : buildModel("scan", scannedBlock(30, 0.0005)).warnings)
+    warned = warned || w.find("more than a CAD part has") != std::string::npos;
+  EXPECT_TRUE(warned);
+  // Many triangles without noise are a CAD part.
+  EXPECT_EQ(buildModel("block", scannedBlock(80, 0)).edges.size(), 12u);
+}
+
 TEST(Cache, GivesTheSameAndIsRebuiltWhenDamaged) {
   const Folder folder;
   for (const char* name : {"bridge", "flange"}) {
@@ -230,6 +287,28 @@ TEST(ObjectEntries, PathsUnitsAndOverrides) {
   EXPECT_EQ(entries[1].unit, "mm");
   EXPECT_EQ(entries[1].mesh, shippedModel("frame"));
   EXPECT_FALSE(entries[1].options.find_symmetries);
+}
+
+TEST(ObjectEntries, MeshPathsMayNamePackagesUrlsAndVariables) {
+  Folder folder;
+  folder.write("part.stl", "solid");
+  folder.write("package.xml", "<package><name>parts_of_a_test</name></package>");
+  setenv("ROS_PACKAGE_PATH", folder.path.c_str(), 1);
+  setenv("PARTS_OF_A_TEST", folder.path.c_str(), 1);
+  for (const std::string& mesh :
+       {std::string("package://parts_of_a_test/part.stl"), "file://" + folder.path + "/part.stl",
+        std::string("$PARTS_OF_A_TEST/part.stl"), std::string("${PARTS_OF_A_TEST}/part.stl")}) {
+    const std::string yaml = folder.write("o.yaml", "objects: [{name: a, mesh: \"" + mesh + "\"}]\n");
+    EXPECT_EQ(readObjectEntries(yaml).front().mesh, folder.path + "/part.stl") << mesh;
+  }
+  const std::string yaml =
+      folder.write("o.yaml", "objects: [{name: a, mesh: \"package://not_there/p.stl\"}]\n");
+  try {
+    readObjectEntries(yaml);
+    FAIL();
+  } catch (const BadInput& e) {
+    EXPECT_THAT(e.what(), HasSubstr("there is no ROS package \"not_there\""));
+  }
 }
 
 TEST(ObjectEntries, MistakesAreNamed) {

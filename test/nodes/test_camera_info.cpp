@@ -187,11 +187,21 @@ TEST(CameraInfo, RefusesOtherSizes) {
 
 TEST(CameraInfo, RefusesOtherLensModels) {
   sensor_msgs::CameraInfo info = goodInfo();
-  info.distortion_model = "equidistant";
+  info.distortion_model = "omnidirectional";
   info.D = {0.1, 0.1, 0.1, 0.1};
-  EXPECT_THAT(refusal(info),
-              HasSubstr("'equidistant' is not supported; known: plumb_bob, rational_polynomial"));
+  EXPECT_THAT(
+      refusal(info),
+      HasSubstr("'omnidirectional' is not supported; known: plumb_bob, rational_polynomial, equidistant"));
   EXPECT_EQ(refusal(info, ImageKind::kRectified), "accepted");
+}
+
+TEST(CameraInfo, OfAFileKeepsItsProjection) {
+  CameraFile file;
+  file.camera = Camera{640, 480, 600, 610, 300.5, 239.5, DistortionModel::kNone, {}};
+  EXPECT_EQ(toCameraInfo(file).P[0], 600);
+  file.projection = {650, 0, 310, 0, 0, 650, 240, 0, 0, 0, 1, 0};
+  EXPECT_EQ(toCameraInfo(file).P[0], 650);
+  EXPECT_EQ(toCameraInfo(file).K[0], 600);
 }
 
 TEST(CameraInfo, RefusesTheSecondStereoCamera) {
@@ -206,6 +216,7 @@ TEST(CameraInfo, OfACameraGivesThatCamera) {
   const std::vector<std::pair<std::string, std::vector<double>>> lenses{
       {"", {}},
       {"plumb_bob", {-0.11, 0.06, 0.0006, -0.0004, 0.01}},
+      {"equidistant", {-0.02, 0.01, 0.003, -0.001}},
       {"rational_polynomial", {0.1, -0.2, 0.001, 0.002, 0.03, 0.01, 0.02, 0.03}}};
   for (const auto& [model, coefficients] : lenses) {
     setDistortion(&camera, model, coefficients.data(), coefficients.size());

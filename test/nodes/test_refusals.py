@@ -81,7 +81,7 @@ class TestRefusals(unittest.TestCase):
         missing = self.folder + "/camera.yaml"
         self.refused("image_source", [source, "_camera_info:=" + missing], "there is no file " + missing)
         broken = self.write("broken.yaml", "image_width: many\n")
-        self.refused("image_source", [source, "_camera_info:=" + broken], broken + " cannot be read")
+        self.refused("image_source", [source, "_camera_info:=" + broken], "'image_width' holds \"many\"")
 
     def test_work_cell(self):
         path = rospkg.RosPack().get_path("monocular_eye_hand")

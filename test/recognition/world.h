@@ -8,6 +8,7 @@
 
 #include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/evaluation/pose_error.h"
+#include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/simulation/render.h"

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
@@ -194,8 +195,10 @@ TEST(Truth, CameraReadsBack) {
   const std::string path = testing::TempDir() + "written_camera.yaml";
   Camera camera{
       640, 480, 620.25, 621.5, 322.7, 236.4, DistortionModel::kPlumbBob, {-0.28, 0.08, 0.001, -0.0005, 0.02}};
-  for (DistortionModel model : {DistortionModel::kPlumbBob, DistortionModel::kRationalPolynomial}) {
+  for (DistortionModel model :
+       {DistortionModel::kPlumbBob, DistortionModel::kRationalPolynomial, DistortionModel::kEquidistant}) {
     camera.model = model;
+    if (model == DistortionModel::kEquidistant) camera.d = {-0.02, 0.01, 0.003, -0.001};
     if (model == DistortionModel::kRationalPolynomial) camera.d[7] = 0.01;
     writeCamera(path, camera);
     const Camera read = loadCamera(path);

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,16 @@ struct ModelOptions {
 /// Metres per unit: "m", "cm", "mm", "inch". Throws BadInput naming the known ones.
 double metresPerUnit(const std::string& unit);
 
-/// Reads STL, OBJ, PLY or DAE. Throws BadInput when it is missing, damaged, empty or not finite.
+/// A mesh in metres with what was ignored or put right on reading it.
+struct LoadedMesh {
+  Mesh mesh;
+  std::vector<std::string> warnings;  ///< without the path; also a unit of the file's own that is another
+};
+
+/// Reads STL, OBJ, PLY or DAE, told apart by content, then by the end of the name. Throws BadInput that names
+/// what the file really is, or what is damaged and where, and what to do.
+LoadedMesh readMesh(const std::string& path, const std::string& unit);
+/// The mesh alone; its warnings are dropped.
 Mesh loadMesh(const std::string& path, const std::string& unit);
 
 /// Welds, finds surfaces, sharp edges, circles, corners, symmetries; fills warnings. Throws BadInput on an
@@ -68,7 +78,7 @@ struct ModelBase {
 /// One entry of a model base file.
 struct ObjectEntry {
   std::string name;
-  std::string mesh;  ///< path, absolute or relative to the YAML
+  std::string mesh;  ///< path; in the YAML as io/file_path.h, relative to the YAML
   std::string unit = "mm";
   ModelOptions options;
   Handling handling{};
@@ -78,11 +88,15 @@ struct ObjectEntry {
 /// ...overrides}]`. Unknown keys, double names and missing files are BadInput.
 std::vector<ObjectEntry> readObjectEntries(const std::string& yaml_path);
 
+/// Takes a line of what is being done, before each step that may take long.
+using CompileProgress = std::function<void(const std::string&)>;
+
 /// Builds and compiles the entries, using the cache folder ("" = $XDG_CACHE_HOME or ~/.cache,
-/// monocular_eye_hand/; "none" = no cache). A stale or damaged cache file is rebuilt.
+/// monocular_eye_hand/; "none" = no cache). A stale or damaged cache file is rebuilt. Throws BadInput; a
+/// noisy scan is refused within seconds.
 ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views = {},
-                           const std::string& cache_dir = "");
+                           const std::string& cache_dir = "", const CompileProgress& progress = {});
 ModelBase loadModelBase(const std::string& yaml_path, const ViewOptions& views = {},
-                        const std::string& cache_dir = "");
+                        const std::string& cache_dir = "", const CompileProgress& progress = {});
 
 }  // namespace monocular_eye_hand
