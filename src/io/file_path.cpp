@@ -108,7 +108,7 @@ std::string ofFileUrl(std::string rest) {
   if (startsWith(rest, "localhost/")) rest.erase(0, 9);
   if (startsWith(rest, "~") || startsWith(rest, "$")) return withHome(withVariables(rest));
   if (rest.empty() || rest[0] != '/')
-    throw BadInput("a file:// URL needs an absolute path, with three slashes: file:///home/me/part.stl");
+    throw BadInput("a file:// URL needs an absolute path, with three slashes: file:///folder/part.stl");
   return decoded(rest);
 }
 

@@ -5,8 +5,9 @@ namespace monocular_eye_hand {
 
 /// Parameters of the node image_source.
 struct ImageSourceParameters {
-  std::string source;       ///< image, folder, printf pattern (one %d or %0Nd) or video; required
-  std::string camera_info;  ///< path of a calibration (io/camera_file.h); "": publishes an uncalibrated camera
+  std::string source;  ///< image, folder, printf pattern (one %d or %0Nd) or video; required
+  std::string
+      camera_info;  ///< path of a calibration (io/camera_file.h); "": publishes an uncalibrated camera
   std::string frame_id = "camera";  ///< of images and camera_info: the optical frame
   double rate = 0;                  ///< images per second; 0: a video's own, else 10
   bool loop = true;                 ///< begin again after the last image
