@@ -11,6 +11,8 @@
 namespace monocular_eye_hand {
 namespace {
 
+constexpr double kSurest = 7;  // log-odds
+
 double logistic(double log_odds) { return 1 / (1 + std::exp(-std::clamp(log_odds, -50.0, 50.0))); }
 
 }  // namespace
@@ -25,9 +27,13 @@ double DecisionWeights::probability(const std::vector<double>& values) const {
   return logistic(logOdds(values));
 }
 
+double DecisionWeights::logOdds(double log_odds, const Lead& ahead) const {
+  return lead.bias + lead.own * log_odds + lead.over_most.weight * ahead.over_most +
+         lead.elsewhere.weight * ahead.elsewhere + lead.in_place.weight * ahead.in_place;
+}
+
 double DecisionWeights::probability(double log_odds, const Lead& ahead) const {
-  return logistic(lead.bias + lead.own * log_odds + lead.over_most.weight * ahead.over_most +
-                  lead.elsewhere.weight * ahead.elsewhere + lead.in_place.weight * ahead.in_place);
+  return logistic(std::min(kSurest, logOdds(log_odds, ahead)));
 }
 
 void DecisionWeights::check() const {

@@ -15,7 +15,7 @@ constexpr int kLookupSide = 24;           // cells along one side of a cube face
 constexpr double kMinAnchorShare = 0.10;  // shortest ruler, as a share of the diameter
 constexpr double kMinAnchorVisible = 0.8;
 constexpr double kCoarseSize =
-    100;  // a part's diameter where its lines are told apart for the coarse score [px]
+    160;  // a part's diameter where its lines are told apart for the coarse score [px]
 constexpr double kSquare = 0.15;    // sides that differ by less of the larger one are taken for each other
 constexpr double kSameTurn = 0.06;  // rotations nearer than this are one [rad]
 

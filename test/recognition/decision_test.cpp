@@ -163,15 +163,13 @@ TEST(Contributions, add_up_to_the_difference_from_a_typical_candidate) {
   const Lead lead{3, 1, -0.5};
   const Lead usual{weights.lead.over_most.typical, weights.lead.elsewhere.typical,
                    weights.lead.in_place.typical};
-  const auto logit = [](double p) { return std::log(p / (1 - p)); };
 
   const std::vector<TermContribution> all = contributions(values, lead, weights);
   double sum = 0;
   for (const TermContribution& c : all) sum += c.log_odds;
-  EXPECT_NEAR(sum,
-              logit(weights.probability(weights.logOdds(values), lead)) -
-                  logit(weights.probability(weights.logOdds(typical), usual)),
-              1e-6);
+  EXPECT_NEAR(
+      sum, weights.logOdds(weights.logOdds(values), lead) - weights.logOdds(weights.logOdds(typical), usual),
+      1e-6);
   for (size_t k = 1; k < all.size(); ++k) EXPECT_GE(all[k - 1].log_odds, all[k].log_odds);
   EXPECT_EQ(inWords({"hits", 0.5, 0.25, 1.5}), "hits 0.25 (usually 1.50)");
 }
@@ -179,8 +177,12 @@ TEST(Contributions, add_up_to_the_difference_from_a_typical_candidate) {
 TEST(LeadWeights, by_default_leave_the_probability_as_it_is) {
   DecisionWeights weights = fittedWeights();
   weights.lead = {};
-  const double log_odds = weights.logOdds(decisionValues(goodTerms()));
-  EXPECT_EQ(weights.probability(log_odds, {-2, 8, 3}), probability(goodTerms(), weights));
+  for (double log_odds : {-9.0, 0.0, 3.0}) EXPECT_EQ(weights.logOdds(log_odds, {-2, 8, 3}), log_odds);
+}
+
+TEST(LeadWeights, no_probability_claims_more_than_a_fit_can_know) {
+  EXPECT_LT(fittedWeights().probability(60, {8, 8, 8}), 0.9992);
+  EXPECT_GT(fittedWeights().probability(60, {8, 8, 8}), 0.999);
 }
 
 TEST(LeadWeights, that_were_fitted_favour_what_stands_out) {

@@ -49,7 +49,9 @@ struct DecisionWeights {
   /// Log-odds and probability that a candidate with these values (decisionValues) is right, looked at alone.
   double logOdds(const std::vector<double>& values) const;
   double probability(const std::vector<double>& values) const;
-  /// ... looked at among the others of its object. `log_odds`: of its values alone.
+  /// ... looked at among the others of its object. `log_odds`: of its values alone. No probability is above
+  /// 0.9991: no fit has seen enough to claim more.
+  double logOdds(double log_odds, const Lead& ahead) const;
   double probability(double log_odds, const Lead& ahead) const;
 
   template <class Visitor>
