@@ -2,7 +2,10 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cctype>
+#include <sstream>
 
 #include "mesh_readers.h"
 #include "monocular_eye_hand/geometry/error.h"
@@ -32,6 +35,37 @@ std::string commentsOf(const std::string& obj) {
   return out;
 }
 
+bool isWhole(const std::string& word) {
+  const size_t first = word[0] == '-' ? 1 : 0;
+  return first < word.size() && word.find_first_not_of("0123456789", first) == std::string::npos;
+}
+
+bool isReal(const std::string& word) {
+  if (word.find_first_not_of("0123456789+-.eE") == std::string::npos)
+    return word.find_first_of("0123456789") != std::string::npos;
+  std::string low;
+  for (const char c : word) low += char(std::tolower(static_cast<unsigned char>(c)));
+  return low == "nan" || low == "inf" || low == "-inf";
+}
+
+/// assimp never returns from a list of indices that holds another word than a number.
+void requireNumbers(const std::string& collada, const std::string& file) {
+  for (const std::string tag : {"p", "v", "h", "vcount", "float_array", "int_array"}) {
+    for (size_t at = collada.find("<" + tag); at != std::string::npos; at = collada.find("<" + tag, at + 1)) {
+      const size_t after = at + 1 + tag.size(), begin = collada.find('>', at);
+      if (begin == std::string::npos) break;
+      if (after != begin && collada[after] != ' ') continue;  // a longer name
+      const size_t end = std::min(collada.find('<', begin), collada.size());
+      std::istringstream words(collada.substr(begin + 1, end - begin - 1));
+      for (std::string word; words >> word;) {
+        if (tag == "float_array" ? !isReal(word) : !isWhole(word))
+          throw BadInput(file + ": a list <" + tag + "> holds \"" + word.substr(0, 24) +
+                         "\", which is no number: the file is damaged, export it again");
+      }
+    }
+  }
+}
+
 void append(const aiMesh& part, const std::string& file, Mesh* mesh) {
   const int first = int(mesh->vertices.size());
   for (unsigned k = 0; k < part.mNumVertices; ++k) {
@@ -56,6 +90,7 @@ void append(const aiMesh& part, const std::string& file, Mesh* mesh) {
 ReadMesh readByAssimp(const std::string& bytes, const std::string& file, const std::string& extension) {
   const bool collada = extension == "dae";
   const std::string text = collada ? withoutUnit(bytes) : withLineFeeds(bytes);
+  if (collada) requireNumbers(text, file);
   Assimp::Importer importer;
   // The object frame is the file's frame in the unit the user states: no turning of "up", no scaling.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);

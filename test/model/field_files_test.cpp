@@ -228,6 +228,15 @@ TEST(FieldFiles, NamedForWhatTheyAre) {
               HasSubstr("point cloud"));
 }
 
+TEST(FieldFiles, WordsAmongTheNumbersOfADaeAreRefused) {
+  const std::string text = dae(kBox, "");
+  EXPECT_THAT(failure("dae", replaced(text, "<p>", "<p>0 x ")), HasSubstr("<p> holds \"x\""));
+  for (const char* word : {"^", ".", "1.5", "-", "1e", "end_header4"})
+    EXPECT_THAT(failure("dae", replaced(text, "</p>", std::string(" ") + word + " 9</p>")),
+                HasSubstr("no number"));
+  EXPECT_THAT(failure("dae", replaced(text, "-20", "1,5")), HasSubstr("<float_array>"));
+}
+
 TEST(FieldFiles, ReadByContentWhateverTheName) {
   EXPECT_THAT(warningsOf("stl", ply(kBox, "binary_little_endian")), ElementsAre(HasSubstr("that of .ply")));
   EXPECT_THAT(warningsOf("stl", obj(kBox)), ElementsAre(HasSubstr("that of .obj")));
