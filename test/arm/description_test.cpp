@@ -148,7 +148,8 @@ TEST(ArmDescription, WrongFilesAreRefusedByName) {
   } catch (const BadInput& e) {
     EXPECT_THAT(e.what(), HasSubstr("/nowhere/arm.urdf: cannot be read"));
   }
-  const TemporaryUrdf alone(urdfText());
+  const TemporaryUrdf alone(
+      replaced(urdfText(), "package://monocular_eye_hand", "package://no_such_package"));
   try {
     loadArmDescription(alone.path());
     ADD_FAILURE();
