@@ -5,6 +5,7 @@
 
 #include "monocular_eye_hand/model/ray_scene.h"
 #include "recognition/drawing_terms.h"
+#include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -46,13 +47,6 @@ bool flat(const SearchImage& image, const SeenSample& s) {
   const double step = std::abs(sum[0] / count[0] - sum[1] / count[1]);
   const double sigma = image.grey_noise * std::sqrt(1.0 / count[0] + 1.0 / count[1]);
   return step < kFlatGrey + kFlatNoise * sigma;
-}
-
-double dihedralOf(const ObjectModel& model, int group) {
-  const int edges = int(model.edges.size()), circles = int(model.circles.size());
-  if (group < edges) return model.edges[size_t(group)].dihedral;
-  if (group < edges + circles) return model.circles[size_t(group - edges)].dihedral;
-  return 0;
 }
 
 // Whether the drawn silhouette is the part's outline: beyond it the part is not hit any more.

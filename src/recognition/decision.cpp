@@ -58,13 +58,13 @@ std::vector<Candidate> weighAmongOthers(std::vector<Candidate> candidates, const
   std::vector<Competitor> competitors;
   for (const Candidate& candidate : candidates)
     competitors.push_back({candidate.object, weights.logOdds(decisionValues(candidate.terms)), {}});
-  for (size_t i = 0; i < candidates.size(); ++i) {
-    if (competitors[i].log_odds < kHopeless) continue;
-    for (size_t other = 0; other < candidates.size(); ++other)
-      if (other != i && candidates[other].object == candidates[i].object &&
-          (conflict(candidates[other], candidates[i]) || conflict(candidates[i], candidates[other])))
+  const auto hopeless = [&](size_t i) { return competitors[i].log_odds < kHopeless; };
+  for (size_t i = 0; i < candidates.size(); ++i)
+    for (size_t other = i + 1; other < candidates.size(); ++other) {
+      if (candidates[other].object != candidates[i].object || (hopeless(i) && hopeless(other))) continue;
+      if (conflict(candidates[other], candidates[i]) || conflict(candidates[i], candidates[other]))
         competitors[i].conflicts.push_back(int(other));
-  }
+    }
 
   const std::vector<Lead> leads = leadsAmong(competitors);
   for (size_t i = 0; i < candidates.size(); ++i) {

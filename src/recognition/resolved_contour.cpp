@@ -13,11 +13,7 @@ constexpr double kParallel = 0.9;  // ... when they run the same way: |cos| of t
 constexpr double kOutline = 10;    // strength of a silhouette: above any dihedral [rad]
 
 double strength(const ObjectModel& model, const SeenSample& s) {
-  if (s.silhouette) return kOutline;
-  const int edges = int(model.edges.size()), circles = int(model.circles.size());
-  if (s.group < edges) return model.edges[size_t(s.group)].dihedral;
-  if (s.group < edges + circles) return model.circles[size_t(s.group - edges)].dihedral;
-  return 0;
+  return s.silhouette ? kOutline : dihedralOf(model, s.group);
 }
 
 bool sameLine(const SeenSample& a, const SeenSample& b) {
@@ -84,6 +80,13 @@ class KeptSamples {
 };
 
 }  // namespace
+
+double dihedralOf(const ObjectModel& model, int group) {
+  const int edges = int(model.edges.size()), circles = int(model.circles.size());
+  if (group < edges) return model.edges[size_t(group)].dihedral;
+  if (group < edges + circles) return model.circles[size_t(group - edges)].dihedral;
+  return 0;
+}
 
 std::vector<size_t> resolvedSamples(const ObjectModel& model, const std::vector<SeenSample>& contour) {
   KeptSamples kept(contour);

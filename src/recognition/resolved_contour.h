@@ -6,6 +6,9 @@
 
 namespace monocular_eye_hand {
 
+/// Angle between the faces that meet at a feature (SeenSample::group) [rad]; 0 of a silhouette of no edge.
+double dihedralOf(const ObjectModel& model, int group);
+
 /// What of a drawn contour a camera can tell apart: of parallel lines of different features that run less
 /// than 2.5 px beside each other (the rims of a chamfer, of a sheet, of a fillet seen from afar) only the
 /// most telling one is kept, sample by sample: an outline before a crease, a sharp crease before a blunt one.

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/model/equal_poses.h"
+#include "recognition/median.h"
 #include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {
@@ -118,8 +119,7 @@ double sampleStepOf(const SampledView& view) {
     if (view.contour[i].group == view.contour[i - 1].group)
       gaps.push_back((view.contour[i].p - view.contour[i - 1].p).norm());
   if (gaps.empty()) return 0.01;
-  std::nth_element(gaps.begin(), gaps.begin() + gaps.size() / 2, gaps.end());
-  return gaps[gaps.size() / 2];
+  return median(&gaps);
 }
 
 }  // namespace

@@ -12,14 +12,6 @@ struct Lead {
   /// not count against it.
   double elsewhere = 0;
   double in_place = 0;  ///< over the best other pose in its place
-
-  /// Calls v("field", field) for every field.
-  template <class Visitor>
-  void visit(Visitor&& v) {
-    v("lead_over_most", over_most);
-    v("lead_elsewhere", elsewhere);
-    v("lead_in_place", in_place);
-  }
 };
 
 /// A candidate among the others of its image.
