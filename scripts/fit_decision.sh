@@ -16,5 +16,13 @@ for appearance in plain mixed; do
   /usr/bin/python3 "$root/benchmark/corpus/make_scenes.py" --parts "$corpus/parts" --out "$corpus/$appearance" \
     --programs "$programs" --count "$count" --appearance "$appearance"
 done
+say "true poses and their twins"
+for folder in "$corpus"/*/train_*; do
+  [ -e "$folder/twins.csv" ] || "$programs/evaluate" --dataset "$folder" --split dev --proposals truth \
+    --out "$folder/truth.csv" --dump "$folder/twins.csv" > "$folder/truth.log"
+done
+
 "$programs/fit_decision" "$corpus"/plain/*/dump.csv "$corpus"/mixed/*/dump.csv --out "$root/config/decision.yaml" \
   --source "$(date +%F), $(ls -d "$corpus"/*/train_*/dump.csv | wc -l) data sets of benchmark/corpus, $count images per level"
+"$programs/fit_decision" "$corpus"/*/train_*/twins.csv --keep "$root/config/decision.yaml" \
+  --out "$root/config/decision.yaml" --source "contests: their true poses and twins"

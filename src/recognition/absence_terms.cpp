@@ -31,7 +31,7 @@ struct Tally {
 
 // Mean grey 1.5 to 4.5 px to either side of the drawn line; whether the two differ by more than noise.
 bool flat(const SearchImage& image, const SeenSample& s) {
-  const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
+  const Eigen::Vector2d normal = s.normal();
   double sum[2] = {0, 0};
   int count[2] = {0, 0};
   for (int side = 0; side < 2; ++side)
@@ -54,7 +54,7 @@ bool isOutline(const ObjectModel& model, const SearchImage& image, const Rigid3&
                const SeenSample& s) {
   if (!s.silhouette) return false;
   if (s.inward == 0) return true;
-  const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
+  const Eigen::Vector2d normal = s.normal();
   const Eigen::Vector2d beyond = s.uv - s.inward * kBeyond * normal;
   const Eigen::Vector3d ray = (object_from_camera.rotation * image.camera.ray(beyond)).normalized();
   return !model.rays->cast(object_from_camera.translation, ray).hit;

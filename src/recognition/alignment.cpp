@@ -46,7 +46,7 @@ std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchIma
       resolvedContour(model.model(), projectContour(model.model(), pose, image.camera, image.domain, step));
   for (const SeenSample& s : contour) {
     if (!s.inside) continue;
-    const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
+    const Eigen::Vector2d normal = s.normal();
     const int found = image.raster.find(s.uv, normal, range);
     if (found < 0) continue;
     const EdgePoint& point = image.raster.point(found);
@@ -109,7 +109,7 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
       const Eigen::Vector3d m = pose.rotation * (double(s.inner_side) * across);
       const Eigen::Vector2d towards(camera.fx * (m.x() - p.x() / p.z() * m.z()),
                                     camera.fy * (m.y() - p.y() / p.z() * m.z()));
-      out.inward = towards.dot(Eigen::Vector2d(-out.direction.y(), out.direction.x())) > 0 ? 1 : -1;
+      out.inward = towards.dot(out.normal()) > 0 ? 1 : -1;
     }
     out.inside = domain.contains(out.uv.x(), out.uv.y());
     seen.push_back(out);

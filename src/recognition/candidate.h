@@ -1,12 +1,14 @@
 #pragma once
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
+#include <utility>
 #include <vector>
 
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/model/object_model.h"
 #include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/recognition/contest.h"
 #include "monocular_eye_hand/recognition/evidence_terms.h"
 #include "monocular_eye_hand/recognition/lead.h"
 
@@ -24,6 +26,9 @@ struct SeenSample {
   int inward =
       0;  ///< silhouette: +1 / -1 when the part lies on the side of +/- direction turned by 90 degrees
   bool outline = false;  ///< verify(): the part's outline, beyond which it is not seen
+
+  /// `direction` turned by 90 degrees.
+  Eigen::Vector2d normal() const { return {-direction.y(), direction.x()}; }
 };
 
 /// A surely recognised object, which may hide others.
@@ -51,7 +56,12 @@ struct Candidate {
   std::vector<Occluder> occluders;  ///< verify() does not miss what they hide
   cv::Rect bounding_box;
   double probability = 0;
+  /// settleContests(): of the probability that one of the poses held against each other is right. It ranks
+  /// among other explanations by what it would have alone.
+  double winners_share = 1;
   Lead lead;  ///< weighAmongOthers(): over the others of its object
+  /// settleContests(): with others by their index; each pair stands with one of the two.
+  std::vector<std::pair<int, PoseContest>> contests;
 };
 
 constexpr int kCoverCell = 8;  ///< side of the cells that measure overlap [px]

@@ -29,7 +29,7 @@ void chanceTerms(const SearchImage& image, Candidate* candidate) {
         const Eigen::Vector2d uv = s.uv + shift;
         if (!image.domain.contains(uv.x(), uv.y())) continue;
         ++looked;
-        const int found = image.raster.find(uv, {-s.direction.y(), s.direction.x()}, kHitRange);
+        const int found = image.raster.find(uv, s.normal(), kHitRange);
         hits += found >= 0;
         if (!s.outline) {
           ++inner;

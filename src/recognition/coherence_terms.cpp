@@ -12,8 +12,6 @@ constexpr int kLinked = 12;  // edge points apart along a trace that two neighbo
 
 constexpr size_t kSparse = 8;  // of the edge points around, one in so many is looked at
 
-Eigen::Vector2d normalOf(const SeenSample& s) { return {-s.direction.y(), s.direction.x()}; }
-
 }  // namespace
 
 void coherenceTerms(const SearchImage& image, Candidate* candidate) {
@@ -39,7 +37,7 @@ void coherenceTerms(const SearchImage& image, Candidate* candidate) {
     }
     ++hits;
     const EdgePoint& point = image.raster.point(s.edge_point);
-    const Eigen::Vector2d normal = normalOf(s);
+    const Eigen::Vector2d normal = s.normal();
     const double across = normal.dot(point.normal.cast<double>());
     slant += 1 - std::abs(across);
     Polarity& sign = polarity[s.group];

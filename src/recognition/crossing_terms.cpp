@@ -23,7 +23,7 @@ void crossingTerms(const SearchImage& image, Candidate* candidate) {
     if (!s.inside || !s.outline || s.inward == 0) continue;
     ++outline;
 
-    const Eigen::Vector2d inward = s.inward * Eigen::Vector2d(-s.direction.y(), s.direction.x());
+    const Eigen::Vector2d inward = s.inward * s.normal();
     for (double along : {-1.0, 1.0}) {
       const Eigen::Vector2d uv = s.uv + kInside * inward + along * s.direction;
       const int index = image.raster.indexAt(uv.x(), uv.y());

@@ -79,7 +79,8 @@ double probability(const EvidenceTerms& terms, const DecisionWeights& weights) {
 }
 
 double rankScore(const Candidate& candidate) {
-  return std::sqrt(std::max(0.0, candidate.terms.sum)) * (candidate.probability + 0.05);
+  return std::sqrt(std::max(0.0, candidate.terms.sum)) *
+         (candidate.probability / candidate.winners_share + 0.05);
 }
 
 std::vector<Explanation> chooseExplanations(const std::vector<Candidate>& candidates) {

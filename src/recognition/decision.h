@@ -9,7 +9,8 @@ namespace monocular_eye_hand {
 /// Calibrated probability that object and pose of the candidate are right.
 double probability(const EvidenceTerms& terms, const DecisionWeights& weights);
 
-/// Order among explanations of the same part of the image: the probability times the root of the evidence.
+/// Order among explanations of the same part of the image: the probability (before the winner of a contest
+/// shared it) times the root of the evidence.
 /// Evidence alone lets large wrong poses win, probability alone lets a tidy part of an object win over the
 /// whole.
 double rankScore(const Candidate& candidate);

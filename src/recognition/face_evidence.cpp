@@ -6,7 +6,7 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "recognition/drawn_pixels.h"
 #include "recognition/median.h"
 #include "recognition/shading.h"
 
@@ -20,15 +20,6 @@ constexpr int kMinFacePixels = 12;
 struct FacePixel {
   float u, v, grey;
 };
-
-// Outward, unit, object frame.
-Eigen::Vector3d normalOf(const Mesh& mesh, int triangle) {
-  const std::array<int, 3>& corners = mesh.triangles[size_t(triangle)];
-  const Eigen::Vector3d& a = mesh.vertices[size_t(corners[0])];
-  const Eigen::Vector3d& b = mesh.vertices[size_t(corners[1])];
-  const Eigen::Vector3d& c = mesh.vertices[size_t(corners[2])];
-  return (b - a).cross(c - a).normalized();
-}
 
 // Share of pixels that depart from a plane (flat face) or quadric (curved face) of grey by more than noise
 // and a small share of contrast allow. Three rounds of trimmed least squares.
@@ -111,38 +102,6 @@ cv::Mat contourBand(const Candidate& candidate, const cv::Rect& box) {
   return band;
 }
 
-// A pixel of the lattice that the part covers.
-struct DrawnPixel {
-  int u, v;
-  int triangle;
-  double distance;  // from the camera [m]
-};
-
-int latticeStep(const cv::Rect& box) {
-  int step = 2;
-  while (step < kCoverCell && box.area() / (step * step) > kMaxRays) step *= 2;
-  return step;
-}
-
-// The lattice is common to all candidates, so that covered cells compare.
-std::vector<DrawnPixel> drawnPixels(const ObjectModel& model, const SearchImage& image,
-                                    const Candidate& candidate, int step) {
-  const cv::Rect& box = candidate.bounding_box;
-  const Rigid3 object_from_camera = candidate.pose.camera_from_object.inverse();
-  const auto firstOnLattice = [step](int start, int origin) {
-    return start + ((origin - start) % step + step) % step;
-  };
-  std::vector<DrawnPixel> pixels;
-  for (int v = firstOnLattice(box.y, image.domain.v0); v < box.y + box.height; v += step)
-    for (int u = firstOnLattice(box.x, image.domain.u0); u < box.x + box.width; u += step) {
-      const Eigen::Vector3d ray =
-          (object_from_camera.rotation * image.camera.ray({double(u), double(v)})).normalized();
-      const RayScene::Hit hit = model.rays->cast(object_from_camera.translation, ray);
-      if (hit.hit) pixels.push_back({u, v, hit.triangle, hit.distance});
-    }
-  return pixels;
-}
-
 DrawnArea drawnArea(const std::vector<DrawnPixel>& pixels, const cv::Rect& box, int step) {
   DrawnArea area{box, step, cv::Mat_<uint8_t>::zeros(box.height / step + 2, box.width / step + 2)};
   for (const DrawnPixel& p : pixels) area.drawn((p.v - box.y) / step, (p.u - box.x) / step) = 1;
@@ -157,18 +116,6 @@ double solidityOf(const std::vector<DrawnPixel>& pixels, int step) {
   cv::convexHull(points, hull);
   const double area = cv::contourArea(hull) + step * cv::arcLength(hull, true) / 2 + step * step;
   return std::min(1.0, double(pixels.size()) * step * step / area);
-}
-
-// Those that no surely recognised object hides.
-std::vector<DrawnPixel> unhidden(std::vector<DrawnPixel> pixels, const SearchImage& image,
-                                 const Candidate& candidate) {
-  const auto isHidden = [&](const DrawnPixel& p) {
-    return std::any_of(candidate.occluders.begin(), candidate.occluders.end(), [&](const Occluder& o) {
-      return o.hides(image.camera, {double(p.u), double(p.v)}, p.distance);
-    });
-  };
-  pixels.erase(std::remove_if(pixels.begin(), pixels.end(), isHidden), pixels.end());
-  return pixels;
 }
 
 // Cells of kCoverCell px, ascending.
@@ -208,9 +155,7 @@ FaceLook lookAtFaces(const ObjectModel& model, const SearchImage& image, const C
   for (const DrawnPixel& p : pixels) {
     if (!image.domain.contains(p.u, p.v)) continue;
     const float grey = float(image.rect_grey.at<uint8_t>(p.v - image.domain.v0, p.u - image.domain.u0));
-    const Eigen::Vector3d normal =
-        candidate.pose.camera_from_object.rotation * normalOf(model.mesh, p.triangle);
-    look.shaded.push_back({normal.cast<float>(), grey});
+    look.shaded.push_back({normalInCamera(model, candidate, p), grey});
     std::vector<FacePixel>& face = look.by_surface[model.surface_of_triangle[p.triangle]];
     if (band.at<uint8_t>(p.v - box.y, p.u - box.x)) continue;
 
@@ -229,7 +174,7 @@ FaceLook lookAtFaces(const ObjectModel& model, const SearchImage& image, const C
 void faceTerms(const ObjectModel& model, const SearchImage& image, Candidate* candidate) {
   const cv::Rect& box = candidate->bounding_box;
   if (box.area() <= 0) return;
-  const int step = latticeStep(box);
+  const int step = latticeStep(box, kMaxRays);
   const std::vector<DrawnPixel> drawn = drawnPixels(model, image, *candidate, step);
   const std::vector<DrawnPixel> seen = unhidden(drawn, image, *candidate);
   const FaceLook look = lookAtFaces(model, image, *candidate, seen);

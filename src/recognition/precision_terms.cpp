@@ -28,7 +28,7 @@ void precisionTerms(const SearchImage& image, Candidate* candidate) {
     if (s.edge_point < 0) continue;
 
     const EdgePoint& point = image.raster.point(s.edge_point);
-    const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
+    const Eigen::Vector2d normal = s.normal();
     const double offset = std::abs(normal.dot(point.uv.cast<double>() - s.uv));
     const double parallel = std::abs(normal.dot(point.normal.cast<double>()));
     offsets.push_back(offset);

@@ -14,6 +14,7 @@
 #include "recognition/occlusion.h"
 #include "recognition/reporting.h"
 #include "recognition/search_trace.h"
+#include "recognition/settle_contests.h"
 #include "recognition/twins.h"
 
 namespace monocular_eye_hand {
@@ -121,8 +122,11 @@ RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camer
   // 2.4: the pose is calculated again from the best four, and fine-tuned by all features that are redundant.
   candidates = recalculateBestFour(task, std::move(candidates), outcome.chosen, &log);
 
-  // What is right stands out among the other poses of its object.
+  // What is right stands out among the other poses of its object; of poses that are nearly alike, what they
+  // draw differently tells.
   candidates = weighAmongOthers(std::move(candidates), options.decision);
+  outcome.chosen = chooseExplanations(candidates);
+  candidates = settleContests(task, std::move(candidates), outcome.chosen, &log);
   outcome.chosen = chooseExplanations(candidates);
   outcome.verdicts = decide(task, candidates, outcome.chosen, &log);
   outcome.poses = refineChosen(task, candidates, outcome.chosen, grey, camera, &log);

@@ -110,6 +110,8 @@ JudgedCandidate reportJudged(const SearchTask& task, const Candidate& candidate)
   judged.strongest_against = strongestAgainst(task, candidate);
   judged.evidence = candidate.terms.named();
   judged.rank_score = rankScore(candidate);
+  judged.contests = candidate.contests;
+  judged.winners_share = candidate.winners_share;
   return judged;
 }
 

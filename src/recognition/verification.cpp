@@ -25,7 +25,7 @@ bool hidden(const Candidate& candidate, const Camera& camera, const Eigen::Vecto
 void matchSamples(const SearchImage& context, Candidate* candidate) {
   for (SeenSample& s : candidate->contour) {
     if (!s.inside) continue;
-    s.edge_point = context.raster.find(s.uv, {-s.direction.y(), s.direction.x()}, kHitRange);
+    s.edge_point = context.raster.find(s.uv, s.normal(), kHitRange);
     if (s.edge_point >= 0) {
       candidate->claimed.push_back(s.edge_point);
       continue;
@@ -76,7 +76,7 @@ ContourTally tally(const SearchImage& image, const std::vector<SeenSample>& cont
     if (!hit) continue;
 
     const EdgePoint& p = image.raster.point(s.edge_point);
-    const Eigen::Vector2d normal(-s.direction.y(), s.direction.x());
+    const Eigen::Vector2d normal = s.normal();
     const double offset = (p.uv.cast<double>() - s.uv).dot(normal);
     ++t.hits;
     t.squared_offset += offset * offset;

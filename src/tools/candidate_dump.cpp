@@ -34,6 +34,17 @@ void writeFate(int index, const JudgedCandidate& candidate, std::ostream* out) {
   *out << ',' << candidate.kind << ',' << candidate.rank_score;
 }
 
+// rival:value:value... separated by spaces, the values in the order of PoseContest::visit.
+void writeContests(const std::vector<std::pair<int, PoseContest>>& contests, std::ostream* out) {
+  *out << ',';
+  const char* separator = "";
+  for (auto [rival, contest] : contests) {
+    *out << separator << rival;
+    contest.visit([out](const char*, double value) { *out << ':' << value; });
+    separator = " ";
+  }
+}
+
 }  // namespace
 
 CandidateDump::Row CandidateDump::measured(const BopImage& image, const JudgedCandidate& candidate,
@@ -79,7 +90,8 @@ void CandidateDump::write(const std::string& path) const {
   file << "scene_id,im_id,obj_id,name,decision,probability,plausibility,reliability,gt_id,mspd_px,mssd_d,"
           "visib,adi_d";
   for (const std::string& term : terms) file << ',' << term;
-  file << ",candidate,fate,suppressed_by,conflicts,kind,rank_score,r11,r12,r13,r21,r22,r23,r31,r32,r33,t1,t2,"
+  file << ",candidate,fate,suppressed_by,conflicts,kind,rank_score,contests,r11,r12,r13,r21,r22,r23,r31,r32,"
+          "r33,t1,t2,"
           "t3\n";
 
   for (const Row& row : rows_) {
@@ -100,6 +112,7 @@ void CandidateDump::write(const std::string& path) const {
       if (value != c.evidence.end()) file << value->second;
     }
     writeFate(row.index, c, &file);
+    writeContests(c.contests, &file);
     writePose(c.camera_from_object, &file);
     file << '\n';
   }

@@ -22,8 +22,9 @@ class CandidateDump {
   /// candidate lacks one. gt_id, mspd_px, mssd_d and visib belong to the nearest (MSPD) truth of the same
   /// object, empty without one; adi_d (adi() over the diameter) is there for wrong poses in the truth's
   /// place, empty otherwise; decision is empty of a suppressed candidate, suppressed_by of a chosen one.
-  /// candidate is the index in its image, to which suppressed_by and conflicts (separated by spaces) refer;
-  /// r11 ... r33 and t1 ... t3 [m] are camera_from_object.
+  /// candidate is the index in its image, to which suppressed_by, conflicts and contests (separated by
+  /// spaces, contests as rival:log_odds:precise:contrast:strength:shading) refer; r11 ... r33 and t1 ... t3
+  /// [m] are camera_from_object.
   void write(const std::string& path) const;
 
  private:

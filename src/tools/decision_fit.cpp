@@ -13,8 +13,9 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr int kMostSteps = 60;
-constexpr double kLeadPrior = 1;    // on the weights of the lead: few chosen ones change them little
-constexpr double kLongestStep = 3;  // of any weight of a standardised term, in one step
+constexpr double kContestPrior = 1;  // on the weights of the standardised differences
+constexpr double kLeadPrior = 1;     // on the weights of the lead: few chosen ones change them little
+constexpr double kLongestStep = 3;   // of any weight of a standardised term, in one step
 
 // Near copies share the weight of one: n of them count sqrt(n) together. What is undecidable counts nothing.
 std::vector<double> sampleWeights(const std::vector<JudgedSample>& samples) {
@@ -60,28 +61,35 @@ Regression standardised(const std::vector<JudgedSample>& samples) {
   return r;
 }
 
-// Bias first, then the weights of the standardised terms: Newton's method on the penalised likelihood.
-Eigen::VectorXd solve(const Regression& r, double ridge) {
-  const Eigen::Index rows = r.terms.rows(), columns = r.terms.cols() + 1;
-  Eigen::MatrixXd a(rows, columns);
-  a << Eigen::VectorXd::Ones(rows), r.terms;
-  Eigen::VectorXd penalty = Eigen::VectorXd::Constant(columns, ridge);
-  penalty[0] = 1e-9;
-
-  Eigen::VectorXd solution = Eigen::VectorXd::Zero(columns);
+// Newton's method on the penalised likelihood; `penalty` draws the solution to `start`.
+Eigen::VectorXd logisticFit(const Eigen::MatrixXd& a, const Eigen::VectorXd& right,
+                            const Eigen::VectorXd& weight, const Eigen::VectorXd& penalty,
+                            const Eigen::VectorXd& start) {
+  Eigen::VectorXd solution = start;
   for (int step = 0; step < kMostSteps; ++step) {
     const Eigen::VectorXd p = (a * solution).unaryExpr(&logistic);
-    const Eigen::VectorXd curvature = r.weight.cwiseProduct(p.cwiseProduct(Eigen::VectorXd::Ones(rows) - p));
+    const Eigen::VectorXd curvature =
+        weight.cwiseProduct(p.cwiseProduct(Eigen::VectorXd::Ones(a.rows()) - p));
     Eigen::MatrixXd hessian = a.transpose() * curvature.asDiagonal() * a;
     hessian.diagonal() += penalty;
     const Eigen::VectorXd gradient =
-        a.transpose() * r.weight.cwiseProduct(r.right - p) - penalty.cwiseProduct(solution);
+        a.transpose() * weight.cwiseProduct(right - p) - penalty.cwiseProduct(solution - start);
     const Eigen::VectorXd move = hessian.ldlt().solve(gradient);
     const double longest = move.cwiseAbs().maxCoeff();
     solution += move * std::min(1.0, kLongestStep / std::max(longest, 1e-30));
     if (longest < 1e-9) break;
   }
   return solution;
+}
+
+// Bias first, then the weights of the standardised terms.
+Eigen::VectorXd solve(const Regression& r, double ridge) {
+  const Eigen::Index rows = r.terms.rows(), columns = r.terms.cols() + 1;
+  Eigen::MatrixXd a(rows, columns);
+  a << Eigen::VectorXd::Ones(rows), r.terms;
+  Eigen::VectorXd penalty = Eigen::VectorXd::Constant(columns, ridge);
+  penalty[0] = 1e-9;
+  return logisticFit(a, r.right, r.weight, penalty, Eigen::VectorXd::Zero(columns));
 }
 
 // Mean over right candidates: what one expects to see of the part.
@@ -205,41 +213,67 @@ std::vector<Lead> leadsOf(const std::vector<JudgedSample>& samples, const std::v
 }
 
 LeadWeights fitLead(const std::vector<JudgedSample>& samples, const std::vector<double>& left_out) {
-  using Vector5d = Eigen::Matrix<double, 5, 1>;
+  using Row = Eigen::Matrix<double, 1, 5>;
   const std::vector<Lead> leads = leadsOf(samples, left_out);
-  const auto regressors = [&](size_t i) {
-    return (Vector5d() << 1, left_out[i], leads[i].over_most, leads[i].elsewhere, leads[i].in_place)
-        .finished();
-  };
   std::vector<size_t> teaching;
   for (size_t i : chosenSamples(samples, left_out))
     if (!samples[i].undecidable) teaching.push_back(i);
 
-  const Vector5d start = Vector5d::Unit(1);  // the log-odds as they are
-  Vector5d line = start, typical = Vector5d::Zero();
-  for (int step = 0; step < kMostSteps; ++step) {
-    Eigen::Matrix<double, 5, 5> hessian = Vector5d::Constant(kLeadPrior).asDiagonal();
-    Vector5d gradient = -kLeadPrior * (line - start);
-    for (size_t i : teaching) {
-      const Vector5d a = regressors(i);
-      const double q = logistic(a.dot(line));
-      gradient += (samples[i].right - q) * a;
-      hessian += q * (1 - q) * a * a.transpose();
-    }
-    const Vector5d move = hessian.ldlt().solve(gradient);
-    const double longest = move.cwiseAbs().maxCoeff();
-    line += move * std::min(1.0, kLongestStep / std::max(longest, 1e-30));
-    if (longest < 1e-9) break;
+  const Eigen::Index rows = Eigen::Index(teaching.size());
+  Eigen::MatrixXd regressors(rows, 5);
+  Eigen::VectorXd right(rows);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const size_t i = teaching[size_t(row)];
+    regressors.row(row) =
+        (Row() << 1, left_out[i], leads[i].over_most, leads[i].elsewhere, leads[i].in_place).finished();
+    right[row] = samples[i].right;
   }
 
-  int right = 0;
-  for (size_t i : teaching) {
-    if (!samples[i].right) continue;
-    typical += regressors(i);
-    ++right;
-  }
-  typical /= std::max(1, right);
+  const Eigen::VectorXd line =
+      logisticFit(regressors, right, Eigen::VectorXd::Ones(rows), Eigen::VectorXd::Constant(5, kLeadPrior),
+                  Eigen::VectorXd::Unit(5, 1));  // from the log-odds as they are
+  const Eigen::RowVectorXd typical = right.transpose() * regressors / std::max(1.0, right.sum());
   return {line[0], line[1], {line[2], typical[2]}, {line[3], typical[3]}, {line[4], typical[4]}};
+}
+
+std::vector<DecidedContest> decidedContests(const std::vector<JudgedSample>& samples) {
+  std::vector<DecidedContest> decided;
+  for (const auto& [image, members] : samplesByImage(samples)) {
+    std::map<int, size_t> sample_of_index;
+    for (size_t i : members) sample_of_index[samples[i].index] = i;
+    for (size_t i : members)
+      for (auto [index, contest] : samples[i].contests) {
+        const auto rival = sample_of_index.find(index);
+        if (rival == sample_of_index.end() || samples[i].right == samples[rival->second].right) continue;
+        if (!samples[i].right) contest.visit([](const char*, double& value) { value = -value; });
+        decided.push_back({samples[i].part, contest});
+      }
+  }
+  return decided;
+}
+
+ContestWeights fitContest(const std::vector<DecidedContest>& contests) {
+  ContestWeights weights;
+  if (contests.empty()) return weights;
+  const Eigen::Index rows = Eigen::Index(contests.size()), columns = 5;
+  Eigen::MatrixXd values(rows, columns);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const PoseContest& c = contests[size_t(row)].contest;
+    values.row(row) << c.log_odds, c.precise, c.contrast, c.strength, c.shading;
+  }
+  const Eigen::VectorXd scale = (values.colwise().squaredNorm() / double(rows)).cwiseSqrt().cwiseMax(1e-9);
+  values.array().rowwise() /= scale.transpose().array();
+
+  const Eigen::VectorXd solution =
+      logisticFit(values, Eigen::VectorXd::Ones(rows), Eigen::VectorXd::Ones(rows),
+                  Eigen::VectorXd::Constant(columns, kContestPrior), Eigen::VectorXd::Zero(columns));
+  const Eigen::VectorXd fitted = solution.cwiseQuotient(scale);
+  weights.log_odds = fitted[0];
+  weights.precise = fitted[1];
+  weights.contrast = fitted[2];
+  weights.strength = fitted[3];
+  weights.shading = fitted[4];
+  return weights;
 }
 
 }  // namespace monocular_eye_hand

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "monocular_eye_hand/recognition/decision_weights.h"
@@ -16,7 +17,8 @@ struct JudgedSample {
   bool undecidable = false;    ///< wrong, but no image tells it from the truth: competes, but teaches nothing
   int index = 0;               ///< among the candidates of its image
   std::vector<int> conflicts;  ///< indices of those that suppress it when they are chosen
-  double rank_base = 0;        ///< rank score over probability + 0.05, as JudgedCandidate::rank_score tells
+  std::vector<std::pair<int, PoseContest>> contests;  ///< as JudgedCandidate::contests
+  double rank_base = 0;  ///< rank score over probability + 0.05, see JudgedCandidate::rank_score
 };
 
 struct DecisionFitOptions {
@@ -45,5 +47,16 @@ std::vector<Lead> leadsOf(const std::vector<JudgedSample>& samples, const std::v
 /// the chosen the share right is not that among all (Platt 1999, with the lead beside the log-odds).
 /// `left_out`: logOddsLeftOut() of the samples.
 LeadWeights fitLead(const std::vector<JudgedSample>& samples, const std::vector<double>& left_out);
+
+/// A contest of a right pose with a wrong one, from the side of the right one.
+struct DecidedContest {
+  std::string part;
+  PoseContest contest;
+};
+std::vector<DecidedContest> decidedContests(const std::vector<JudgedSample>& samples);
+
+/// How what two poses draw differently tells which is right: logistic regression without a bias. The default
+/// weights of no contests.
+ContestWeights fitContest(const std::vector<DecidedContest>& contests);
 
 }  // namespace monocular_eye_hand

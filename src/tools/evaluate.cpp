@@ -1,5 +1,6 @@
 // Runs the recogniser over a data set of the BOP format, writes BOP results and prints the scores.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -91,6 +92,15 @@ void addRows(const std::vector<ObjectEstimate>& objects, const std::vector<int>&
                      object.camera_from_object, seconds});
 }
 
+std::vector<PoseProposal> truePoses(const BopImage& image, const std::vector<int>& ids) {
+  std::vector<PoseProposal> poses;
+  for (const GroundTruth& truth : image.truth) {
+    const auto id = std::find(ids.begin(), ids.end(), truth.object);
+    if (id != ids.end()) poses.push_back({int(id - ids.begin()), truth.camera_from_object});
+  }
+  return poses;
+}
+
 Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& models,
                  const Recognizer& recognizer, CandidateDump* dump) {
   const std::vector<int> ids = objectIds(models);
@@ -98,10 +108,13 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
   Progress progress(split.images.size());
   RecognitionRequest request;
   request.judged = dump || args.pages();
-  const DumpedPoses dumped = args.proposals.empty() ? DumpedPoses() : DumpedPoses(args.proposals);
+  const bool truths_proposed = args.proposals == "truth";
+  const DumpedPoses dumped =
+      args.proposals.empty() || truths_proposed ? DumpedPoses() : DumpedPoses(args.proposals);
   Run run;
   for (const BopImage& image : split.images) {
-    if (!args.proposals.empty()) request.proposals = dumped.of(image, ids);
+    if (!args.proposals.empty())
+      request.proposals = truths_proposed ? truePoses(image, ids) : dumped.of(image, ids);
     const std::vector<int> truths = args.misses.empty() ? std::vector<int>() : wantedTruths(image, ids);
     request.traced = posesToTrace(image, truths, ids);
     const CameraImage input = source.load(image);
@@ -273,8 +286,8 @@ int main(int argc, char** argv) {
   app.add_option(
          "--proposals", args.proposals,
          "dump of an earlier run: its poses are judged again instead of searching, in a fraction of the "
-         "time")
-      ->check(CLI::ExistingFile);
+         "time; 'truth': the true poses are judged")
+      ->check(CLI::ExistingFile | CLI::IsMember({"truth"}));
   app.add_flag("--all", args.all, "write rejected candidates too");
   app.add_option("--out", args.out, "results file R.csv; R.times.csv is written beside it")->required();
   app.add_option("--dump", args.dump,

@@ -1,6 +1,7 @@
 // Fits the weights of the decision to candidates with known truth.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -23,7 +24,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> dumps;
-  std::string out, source;
+  std::string out, source, keep;
   DecisionFitOptions fit;
   double undecidable = 0.06;
 };
@@ -35,13 +36,29 @@ std::map<std::string, int> termColumns(const CsvTable& table) {
   return columns;
 }
 
+// Of a field "rival:value:value... rival:value...".
+std::vector<std::pair<int, PoseContest>> parsedContests(const std::string& text) {
+  std::vector<std::pair<int, PoseContest>> contests;
+  std::istringstream list(text);
+  for (std::string one; list >> one;) {
+    std::istringstream fields(one);
+    char colon;
+    contests.emplace_back();
+    fields >> contests.back().first;
+    contests.back().second.visit([&](const char*, double& value) { fields >> colon >> value; });
+    if (!fields) throw BadInput("the contest " + one + " is not that of a dump");
+  }
+  return contests;
+}
+
 void readDump(const std::string& path, double undecidable, std::vector<JudgedSample>* samples) {
   const CsvTable table(path);
   const std::map<std::string, int> terms = termColumns(table);
   const int scene = table.column("scene_id"), image = table.column("im_id"), name = table.column("name");
   const int truth = table.column("gt_id"), error = table.column("mspd_px"), adi = table.column("adi_d");
   const int index = table.column("candidate"), conflicts = table.column("conflicts");
-  const int rank = table.column("rank_score"), probability = table.column("probability");
+  const int contests = table.column("contests");
+  const int sum = table.column("sum");
   for (size_t row = 0; row < table.rows(); ++row) {
     JudgedSample sample;
     sample.image = path + " " + table.text(row, scene) + " " + table.text(row, image);
@@ -52,7 +69,8 @@ void readDump(const std::string& path, double undecidable, std::vector<JudgedSam
     sample.index = int(table.number(row, index));
     std::istringstream list(table.text(row, conflicts));
     for (int other = 0; list >> other;) sample.conflicts.push_back(other);
-    sample.rank_base = table.number(row, rank) / (table.number(row, probability) + 0.05);
+    sample.contests = parsedContests(table.text(row, contests));
+    sample.rank_base = std::sqrt(std::max(0.0, table.number(row, sum)));
     std::map<std::string, double> named;
     for (const auto& [term, column] : terms) named[term] = table.number(row, column);
     sample.values = decisionValues(evidenceTerms(named));
@@ -124,6 +142,33 @@ void printChosen(const std::vector<JudgedSample>& samples, const std::vector<dou
       right, accepted, found.size(), there.size());
 }
 
+// How contests come out by weights that have not seen the part.
+void printContests(const std::vector<DecidedContest>& contests, int folds) {
+  std::map<std::string, int> fold;
+  for (const DecidedContest& contest : contests) fold.emplace(contest.part, int(fold.size()) % folds);
+  int won = 0, sure = 0, sure_won = 0;
+  double loss = 0;
+  for (int left_out = 0; left_out < folds; ++left_out) {
+    std::vector<DecidedContest> seen;
+    for (const DecidedContest& c : contests)
+      if (fold.at(c.part) != left_out) seen.push_back(c);
+    const ContestWeights weights = fitContest(seen);
+    for (const DecidedContest& c : contests) {
+      if (fold.at(c.part) != left_out) continue;
+      const double log_odds = weights.logOdds(c.contest);
+      won += log_odds > 0;
+      sure += std::abs(log_odds) > std::log(4.0);
+      sure_won += log_odds > std::log(4.0);
+      loss += std::log1p(std::exp(-log_odds)) / double(contests.size());
+    }
+  }
+  std::printf(
+      "%zu contests of a right with a wrong pose: the right one preferred in %d, by 0.8 and more in %d of "
+      "%d; "
+      "mean loss %.3f (parts left out in turn)\n",
+      contests.size(), won, sure_won, sure, loss);
+}
+
 int fitDecisionTool(const Arguments& args) {
   std::vector<JudgedSample> samples;
   for (const std::string& dump : args.dumps) readDump(dump, args.undecidable, &samples);
@@ -133,12 +178,20 @@ int fitDecisionTool(const Arguments& args) {
   std::printf("%zu candidates, %ld right; %ld wrong ones left out that no image tells from the truth\n",
               samples.size(), long(count(&JudgedSample::right)), long(count(&JudgedSample::undecidable)));
 
-  const std::vector<double> left_out = logOddsLeftOut(samples, args.fit);
-  DecisionWeights weights = fitDecision(samples, args.fit);
-  weights.lead = fitLead(samples, left_out);
-  weights.source = args.source;
-  printWeights(weights, samples);
-  printChosen(samples, left_out, weights);
+  DecisionWeights weights;
+  if (args.keep.empty()) {
+    const std::vector<double> left_out = logOddsLeftOut(samples, args.fit);
+    weights = fitDecision(samples, args.fit);
+    weights.lead = fitLead(samples, left_out);
+    printWeights(weights, samples);
+    printChosen(samples, left_out, weights);
+  } else {
+    readOptions(loadYaml(args.keep), &weights);
+  }
+  const std::vector<DecidedContest> contests = decidedContests(samples);
+  weights.contest = fitContest(contests);
+  printContests(contests, args.fit.folds);
+  weights.source += (weights.source.empty() ? "" : "; ") + args.source;
 
   std::ofstream file(args.out);
   file
@@ -166,6 +219,10 @@ int main(int argc, char** argv) {
   app.add_option("dumps", args.dumps, "CSV files of evaluate --dump")->required()->check(CLI::ExistingFile);
   app.add_option("--out", args.out, "YAML of the weights")->required();
   app.add_option("--source", args.source, "when and on what they were fitted, kept in the file");
+  app.add_option(
+         "--keep", args.keep,
+         "weights that are kept but for those of the contests: for dumps of `evaluate --proposals truth`")
+      ->check(CLI::ExistingFile);
   app.add_option("--ridge", args.fit.ridge, "penalty on the weights of standardised terms")
       ->capture_default_str();
   app.add_option("--folds", args.fit.folds, "groups of parts that are left out in turn for the reliability")

@@ -6,13 +6,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-KnownObject known(const std::string& name, const Mesh& mesh) {
-  KnownObject object;
-  object.model = buildModel(name, mesh);
-  object.views = sampleViews(object.model, {});
-  return object;
-}
-
 RenderOptions withoutShadows() {
   RenderOptions options;
   options.shadows = false;

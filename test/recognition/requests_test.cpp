@@ -265,7 +265,8 @@ TEST_P(JudgedOn, the_chosen_ones_are_those_that_are_reported) {
 
 TEST_P(JudgedOn, rank_scores_are_what_the_header_says) {
   for (const JudgedCandidate& judged : result_.judged) {
-    const double score = std::sqrt(judged.evidence.at("sum")) * (judged.probability + 0.05);
+    const double score =
+        std::sqrt(judged.evidence.at("sum")) * (judged.probability / judged.winners_share + 0.05);
     EXPECT_NEAR(judged.rank_score, score, 1e-9 * std::abs(score));
     EXPECT_FALSE(judged.kind.empty());
   }

@@ -23,6 +23,13 @@ std::vector<ShadedPixel> litBall(int count, double noise) {
 
 TEST(Shading, of_a_lit_body_is_explained) { EXPECT_GT(shadingExplained(litBall(400, 3)), 0.97); }
 
+TEST(FittedLight, is_the_light_that_was_there) {
+  const FittedLight fitted = fitLight(litBall(400, 3));
+  EXPECT_NEAR((fitted.light - Eigen::Vector4d(120, 30, -60, -70)).norm(), 0, 3);
+  EXPECT_NEAR(fitted.residual, 2, 0.5) << "the median of |noise| is 0.67 of its deviation";
+  EXPECT_NEAR(fitted.grey({0, 0, -1}), 190, 2);
+}
+
 TEST(Shading, highlights_do_not_bend_the_light) {
   std::vector<ShadedPixel> pixels = litBall(400, 3);
   for (size_t i = 0; i < 40; ++i) pixels[i].grey = 255;

@@ -84,7 +84,7 @@ TEST_F(Evaluate, all_adds_the_rejected_and_dump_tells_of_every_candidate) {
               testing::StartsWith("scene_id,im_id,obj_id,name,decision,probability,plausibility,reliability,"
                                   "gt_id,mspd_px,mssd_d,visib,"));
   const auto columns = std::count(header.begin(), header.end(), ',');
-  EXPECT_THAT(header, HasSubstr(",candidate,fate,suppressed_by,conflicts,kind,rank_score,r11,"));
+  EXPECT_THAT(header, HasSubstr(",candidate,fate,suppressed_by,conflicts,kind,rank_score,contests,r11,"));
   size_t chosen = 0;
   bool near = false;
   for (size_t lines = 0; std::getline(dump, line); ++lines) {

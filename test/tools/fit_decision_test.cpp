@@ -16,21 +16,52 @@ using testing::HasSubstr;
 
 class FitDecision : public ToolWorld {
  protected:
+  static std::string header() {
+    std::string text = "scene_id,im_id,obj_id,name,gt_id,mspd_px,adi_d,candidate,conflicts,contests";
+    for (const auto& term : EvidenceTerms().named()) text += "," + term.first;
+    return text + "\n";
+  }
+
+  // Two candidates of one part in every image, the first held against the second, right with the probability
+  // of a law in two of the contest's values.
+  static std::string contests(int count) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform(0, 1);
+    std::ostringstream text;
+    text << header();
+    for (int i = 0; i < count; ++i) {
+      PoseContest contest;
+      contest.visit([&](const char*, double& value) { value = normal(random); });
+      const double log_odds = contest.log_odds + 3 * contest.precise;
+      const int right = uniform(random) < 1 / (1 + std::exp(-log_odds)) ? 0 : 1;
+      for (int candidate : {0, 1}) {
+        text << "1," << i << ",1,part" << i % 8 << ",0," << (candidate == right ? 1 : 90) << ",," << candidate
+             << ',' << 1 - candidate << ',';
+        if (candidate == 0) {
+          text << 1;
+          contest.visit([&](const char*, double value) { text << ':' << value; });
+        }
+        for (size_t k = 0; k < EvidenceTerms().named().size(); ++k) text << ",0.5";
+        text << '\n';
+      }
+    }
+    return text.str();
+  }
+
   // Candidates of eight parts, one per image, right with the probability of a law in the outline's hits
   // alone.
   std::string dump(int count, bool with_errors = true) const {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(0, 1);
     std::ostringstream text;
-    text << "scene_id,im_id,obj_id,name,probability,gt_id,mspd_px,adi_d,candidate,conflicts,rank_score";
-    for (const auto& term : EvidenceTerms().named()) text << ',' << term.first;
-    text << '\n';
+    text << header();
     for (int i = 0; i < count; ++i) {
       EvidenceTerms terms;
       terms.visit([&](const char*, double& value) { value = uniform(random); });
       const bool right = uniform(random) < 1 / (1 + std::exp(-(12 * terms.outline_hits - 8)));
-      text << "1," << i << ",1,part" << i % 8 << ",0.5," << (right ? "0" : "") << ','
-           << (with_errors && right ? "2.5" : "") << ",,0,,5";
+      text << "1," << i << ",1,part" << i % 8 << "," << (right ? "0" : "") << ','
+           << (with_errors && right ? "2.5" : "") << ",,0,,";
       for (const auto& term : terms.named()) text << ',' << term.second;
       text << '\n';
     }
@@ -59,6 +90,23 @@ TEST_F(FitDecision, finds_the_law_that_made_the_candidates) {
   }
 }
 
+TEST_F(FitDecision, finds_what_decides_contests_and_keeps_the_other_weights) {
+  write("d.csv", dump(1000));
+  const DecisionWeights first = fitted("d.csv");
+  EXPECT_EQ(first.contest.log_odds, 1) << "no contests: each one's own evidence";
+  EXPECT_EQ(first.contest.precise, 0);
+
+  write("base.yaml", readText(path("w.yaml")));
+  write("c.csv", contests(2000));
+  const DecisionWeights second = fitted("--keep base.yaml c.csv");
+  EXPECT_NEAR(second.contest.log_odds, 1, 0.25);
+  EXPECT_NEAR(second.contest.precise, 3, 0.5);
+  EXPECT_NEAR(second.contest.shading, 0, 0.2);
+  EXPECT_EQ(second.source, "a test; a test");
+  for (size_t k = 0; k < first.terms.size(); ++k)
+    EXPECT_EQ(first.terms[k].weight, second.terms[k].weight) << decisionTerms()[k].name;
+}
+
 TEST_F(FitDecision, tells_how_well_it_does_on_parts_left_out) {
   write("d.csv", dump(1000));
   const ProgramResult result = run(FIT_DECISION_PROGRAM, "--out w.yaml d.csv");
@@ -76,6 +124,9 @@ TEST_F(FitDecision, refuses_what_is_no_dump_or_has_nothing_to_learn_from) {
     EXPECT_EQ(result.code, 1);
     return result.err;
   };
+  std::string broken = contests(2);
+  write("broken.csv", broken.replace(broken.find(",1:"), 3, ",1:x:"));
+  EXPECT_THAT(refusal("broken.csv"), HasSubstr("is not that of a dump"));
   EXPECT_THAT(refusal("none.csv"), AllOf(HasSubstr("none.csv"), HasSubstr("no column")));
   EXPECT_THAT(refusal("wrong.csv"), HasSubstr("needs right and wrong ones"));
   EXPECT_THAT(refusal("short.csv"), AllOf(HasSubstr("short.csv, line 4"), HasSubstr("3 fields")));

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/recognition/contest.h"
 #include "monocular_eye_hand/recognition/decision_terms.h"
 #include "monocular_eye_hand/recognition/lead.h"
 
@@ -45,6 +46,7 @@ struct DecisionWeights {
   std::vector<TermWeight> terms = std::vector<TermWeight>(decisionTerms().size());  ///< as decisionTerms()
 
   LeadWeights lead;
+  ContestWeights contest;
 
   /// Log-odds and probability that a candidate with these values (decisionValues) is right, looked at alone.
   double logOdds(const std::vector<double>& values) const;
@@ -60,6 +62,7 @@ struct DecisionWeights {
     v("bias", bias);
     for (size_t k = 0; k < terms.size(); ++k) v(decisionTerms()[k].name, terms[k]);
     v("lead", lead);
+    v("contest", contest);
   }
   void check() const;  ///< throws BadInput naming a weight that is not finite
 };

@@ -4,11 +4,13 @@
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
 #include "monocular_eye_hand/grouping/grouping.h"
+#include "monocular_eye_hand/recognition/contest.h"
 
 // What is asked of a recognition and what it answers. Plain values: whoever draws, publishes or tracks
 // objects needs no more of this room than this header.
@@ -67,11 +69,16 @@ struct JudgedCandidate {
   double probability = 0;         ///< calibrated probability that object and pose are right
   std::string strongest_against;  ///< what DecisionTerm::words says of the term most against it; "": none is
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
-  /// Order of choice: sum^(1/2) * (probability + 0.05), `sum` of the terms in `evidence`.
+  /// Order of choice: sum^(1/2) * (probability / winners_share + 0.05), `sum` of the terms in `evidence`.
   double rank_score = 0;
   Fate fate = Fate::kSuppressed;
   int suppressed_by = -1;      ///< index in the list; -1: chosen
   std::vector<int> conflicts;  ///< indices of all others that, chosen, would suppress this one; ascending
+  /// Other poses of it in its place that it was held against, by their index in the list. Each pair stands
+  /// with one of the two.
+  std::vector<std::pair<int, PoseContest>> contests;
+  /// What the likeliest of them has of the probability that one of them is right; 1 without a contest.
+  double winners_share = 1;
 };
 
 /// Counts and times of one stage, for people and the explain page.

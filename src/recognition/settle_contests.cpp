@@ -1,0 +1,155 @@
+#include "recognition/settle_contests.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "recognition/alignment.h"
+#include "recognition/drawn_pixels.h"
+#include "recognition/pose_contest.h"
+#include "recognition/verification.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr size_t kMostContestants = 6;
+constexpr double kWorthContest = 0.05;  // probability of the likeliest, else nothing is reported anyway
+constexpr double kFarBehind = 4;        // log-odds behind the likeliest: no contest
+constexpr double kSamePlace = 0.35;     // of the diameter between the centres
+constexpr double kOtherPose = 10;       // nearer poses are taken for one [px]
+constexpr int kMostRays = 2500;         // of one contestant whose faces are looked at
+
+double ownLogOdds(const SearchTask& task, const Candidate& candidate) {
+  return task.options.decision.logOdds(decisionValues(candidate.terms));
+}
+
+// The contestant whose pose a candidate has, or which it is; -1: none.
+int contestantOf(const SearchTask& task, const std::vector<Candidate>& candidates,
+                 const std::vector<int>& competing, int candidate) {
+  const Candidate& one = candidates[size_t(candidate)];
+  const SearchModel& model = task.models[size_t(one.object)];
+  for (int c : competing) {
+    const Candidate& contestant = candidates[size_t(c)];
+    if (contestant.object == one.object &&
+        model.poseDistance(task.image.camera, contestant.pose.camera_from_object,
+                           one.pose.camera_from_object) < kOtherPose)
+      return c;
+  }
+  return -1;
+}
+
+bool inPlaceOf(const SearchTask& task, const Candidate& chosen, const Candidate& rival) {
+  if (rival.object != chosen.object) return false;
+  const ObjectModel& model = task.models[size_t(chosen.object)].model();
+  const Eigen::Vector3d apart =
+      rival.pose.camera_from_object * model.centre() - chosen.pose.camera_from_object * model.centre();
+  return apart.norm() < kSamePlace * model.diameter;
+}
+
+// Of the chosen one and its rivals those that may be what is really there: the best of each pose.
+std::vector<int> contestants(const SearchTask& task, const std::vector<Candidate>& candidates,
+                             const Explanation& explanation) {
+  std::vector<std::pair<double, int>> in_place;  // by log-odds
+  const Candidate& chosen = candidates[size_t(explanation.candidate)];
+  in_place.emplace_back(ownLogOdds(task, chosen), explanation.candidate);
+  for (int r : explanation.rivals)
+    if (inPlaceOf(task, chosen, candidates[size_t(r)]))
+      in_place.emplace_back(ownLogOdds(task, candidates[size_t(r)]), r);
+  std::stable_sort(in_place.begin(), in_place.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+
+  std::vector<int> competing;
+  for (const auto& [log_odds, candidate] : in_place) {
+    if (competing.size() == kMostContestants || log_odds < in_place.front().first - kFarBehind) break;
+    if (contestantOf(task, candidates, competing, candidate) < 0) competing.push_back(candidate);
+  }
+  return competing;
+}
+
+// The contestant moved by all its features, when that makes it more likely: what two poses draw differently
+// is often no larger than the poses are off.
+Candidate movedByFeatures(const SearchTask& task, const Candidate& contestant) {
+  const SearchModel& model = task.models[size_t(contestant.object)];
+  Candidate moved = contestant;
+  moved.pose =
+      alignByFeatures(model, task.image, contestant.pose.camera_from_object, kFineRanges.back(), kFineStep);
+  if (!moved.pose.well_posed) return contestant;
+
+  moved.pose.camera_from_object = model.canonical(moved.pose.camera_from_object, &moved.view);
+  verify(model, task.image, &moved);
+  return ownLogOdds(task, moved) > ownLogOdds(task, contestant) ? moved : contestant;
+}
+
+// Holds each against each; records it and returns what each has of the probability.
+std::vector<double> compete(const SearchTask& task, const std::vector<int>& competing,
+                            std::vector<Candidate>* candidates) {
+  cv::Rect box;
+  for (int c : competing) box |= (*candidates)[size_t(c)].bounding_box;
+  const int step = latticeStep(box, kMostRays);
+  std::vector<Contestant> contestants;
+  for (int c : competing) {
+    const Candidate& candidate = (*candidates)[size_t(c)];
+    const ObjectModel& model = task.models[size_t(candidate.object)].model();
+    contestants.push_back(
+        {candidate, ownLogOdds(task, candidate), litFaces(model, task.image, candidate, step)});
+  }
+
+  const size_t n = competing.size();
+  std::vector<std::vector<double>> log_odds(n, std::vector<double>(n, 0));
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = i + 1; j < n; ++j) {
+      const PoseContest contest = contestBetween(task.image, contestants[i], contestants[j]);
+      (*candidates)[size_t(competing[i])].contests.emplace_back(competing[j], contest);
+      log_odds[i][j] = task.options.decision.contest.logOdds(contest);
+      log_odds[j][i] = -log_odds[i][j];
+    }
+  return sharesOf(log_odds);
+}
+
+// The probabilities after a contest. Whoever did not take part is no likelier than the contestant whose pose
+// it has, or than the last one.
+void share(const SearchTask& task, const Explanation& explanation, const std::vector<int>& competing,
+           double together, const std::vector<double>& shares, std::vector<Candidate>* candidates) {
+  const double winners_share = *std::max_element(shares.begin(), shares.end());
+  double least = 1;
+  for (size_t k = 0; k < competing.size(); ++k) {
+    Candidate& contestant = (*candidates)[size_t(competing[k])];
+    contestant.probability = together * shares[k];
+    contestant.winners_share = winners_share;
+    least = std::min(least, contestant.probability);
+  }
+
+  std::vector<int> others = explanation.rivals;
+  others.push_back(explanation.candidate);
+  for (int other : others) {
+    if (std::count(competing.begin(), competing.end(), other) > 0) continue;
+    Candidate& rival = (*candidates)[size_t(other)];
+    if (!inPlaceOf(task, (*candidates)[size_t(competing.front())], rival)) continue;
+    const int contestant = contestantOf(task, *candidates, competing, other);
+    const double bound = contestant < 0 ? least : (*candidates)[size_t(contestant)].probability;
+    rival.probability = std::min(rival.probability, bound);
+    rival.winners_share = winners_share;
+  }
+}
+
+}  // namespace
+
+std::vector<Candidate> settleContests(const SearchTask& task, std::vector<Candidate> candidates,
+                                      const std::vector<Explanation>& chosen, StageLog* log) {
+  return log->timed("contests", [&](StageReport* report) {
+    for (const Explanation& explanation : chosen) {
+      if (candidates[size_t(explanation.candidate)].probability < kWorthContest) continue;
+      const std::vector<int> competing = contestants(task, candidates, explanation);
+      if (competing.size() < 2) continue;
+      for (int c : competing) candidates[size_t(c)] = movedByFeatures(task, candidates[size_t(c)]);
+      report->counts["contestants"] += double(competing.size());
+
+      double together = candidates[size_t(explanation.candidate)].probability;
+      for (int c : competing) together = std::max(together, candidates[size_t(c)].probability);
+      const std::vector<double> shares = compete(task, competing, &candidates);
+      share(task, explanation, competing, together, shares, &candidates);
+    }
+    return std::move(candidates);
+  });
+}
+
+}  // namespace monocular_eye_hand
