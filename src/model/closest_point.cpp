@@ -1,4 +1,4 @@
-#include "closest_point.h"
+#include "monocular_eye_hand/model/closest_point.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "closest_point.h"
+#include "monocular_eye_hand/model/closest_point.h"
 #include "monocular_eye_hand/model/ray_scene.h"
 
 namespace monocular_eye_hand {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "closest_point.h"
+#include "monocular_eye_hand/model/closest_point.h"
 #include "symmetry_group.h"
 #include "tessellation.h"
 

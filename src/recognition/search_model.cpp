@@ -6,15 +6,15 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/model/equal_poses.h"
-#include "recognition/median.h"
+#include "recognition/anchors.h"
+#include "recognition/flat_view.h"
 #include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kLookupSide = 24;           // cells along one side of a cube face
-constexpr double kMinAnchorShare = 0.10;  // shortest ruler, as a share of the diameter
-constexpr double kMinAnchorVisible = 0.8;
+constexpr size_t kMostCompared = 2000;  // vertices that tell whether two poses coincide
+constexpr int kLookupSide = 24;         // cells along one side of a cube face
 constexpr double kCoarseSize =
     160;  // a part's diameter where its lines are told apart for the coarse score [px]
 constexpr double kSquare = 0.15;    // sides that differ by less of the larger one are taken for each other
@@ -57,42 +57,6 @@ double azimuth(const SymmetryAxis& axis, const Eigen::Vector3d& d) {
   return std::atan2(d.dot(y), d.dot(x));
 }
 
-// Farthest-first order on the samples' places: every prefix is spread out.
-std::vector<int> spreadOrder(const std::vector<Eigen::Vector2d>& places, std::vector<double> nearest,
-                             int count) {
-  std::vector<int> order;
-  while (int(order.size()) < count) {
-    const int next = int(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
-    if (nearest[next] <= 0) break;
-    order.push_back(next);
-    for (size_t i = 0; i < places.size(); ++i)
-      nearest[i] = std::min(nearest[i], (places[i] - places[next]).norm());
-    nearest[next] = 0;
-  }
-  return order;
-}
-
-struct FlatView {
-  std::vector<Eigen::Vector2d> place, direction;  // metres at the centre's distance
-  std::vector<int> group;
-  double length = 0;
-};
-
-FlatView flatten(const SampledView& view, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& centre,
-                 double step) {
-  FlatView flat;
-  for (const ContourSample& s : view.contour) {
-    const Eigen::Vector3d p = rotation * (s.p - centre) + Eigen::Vector3d(0, 0, view.distance);
-    const Eigen::Vector3d t = rotation * s.tangent;
-    const double scale = view.distance / p.z();
-    flat.place.emplace_back(p.head<2>() * scale);
-    flat.direction.emplace_back((t.head<2>() - p.head<2>() * (t.z() / p.z())) * scale);
-    flat.group.push_back(s.group);
-    flat.length += flat.direction.back().norm() * step;
-  }
-  return flat;
-}
-
 // The view with what a camera can tell apart when the part fills kCoarseSize px.
 SampledView resolvedView(const ObjectModel& model, const SampledView& view, const Eigen::Matrix3d& rotation) {
   const FlatView flat = flatten(view, rotation, model.centre(), 1);
@@ -112,19 +76,12 @@ SampledView resolvedView(const ObjectModel& model, const SampledView& view, cons
   return resolved;
 }
 
-// Mean distance between neighbouring samples of the same group.
-double sampleStepOf(const SampledView& view) {
-  std::vector<double> gaps;
-  for (size_t i = 1; i < view.contour.size(); ++i)
-    if (view.contour[i].group == view.contour[i - 1].group)
-      gaps.push_back((view.contour[i].p - view.contour[i - 1].p).norm());
-  if (gaps.empty()) return 0.01;
-  return median(&gaps);
-}
-
 }  // namespace
 
-SearchModel::SearchModel(const KnownObject& object) : object_(&object), groupings_(modelGroupings(object)) {
+SearchModel::SearchModel(const KnownObject& object)
+    : object_(&object),
+      groupings_(modelGroupings(object)),
+      surface_(std::make_shared<ClosestPoint>(object.model.mesh)) {
   const Eigen::Vector3d centre = model().centre();
   for (const SampledView& view : object.views.views) {
     view_rotation_.push_back(lookAtRotation(view.direction));
@@ -145,7 +102,7 @@ SearchModel::SearchModel(const KnownObject& object) : object_(&object), grouping
   }
   for (int i = 0; i < 8; ++i) extent_.push_back(model().bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
   buildLookup();
-  buildAnchors();
+  levels_ = anchorLevels(object, view_rotation_);
   buildBoxTurns();
   buildHull();
 }
@@ -169,6 +126,19 @@ void SearchModel::buildBoxTurns() {
       box_turns_.push_back(motion);
     }
   }
+}
+
+bool SearchModel::coincide(const Camera& camera, const Rigid3& a, const Rigid3& b, double resolved) const {
+  const double distance = (a * model().centre()).norm();
+  const double limit = resolved * distance / std::sqrt(camera.fx * camera.fy);
+  const std::vector<Eigen::Vector3d>& points = model().mesh.vertices;
+  const size_t stride = 1 + points.size() / kMostCompared;
+  const Rigid3 a_to_b = b.inverse() * a, b_to_a = a.inverse() * b;
+  for (size_t i = 0; i < points.size(); i += stride) {
+    if (surface_->distance(a_to_b * points[i], 2 * limit) > limit) return false;
+    if (surface_->distance(b_to_a * points[i], 2 * limit) > limit) return false;
+  }
+  return true;
 }
 
 void SearchModel::buildHull() {
@@ -307,71 +277,6 @@ double SearchModel::poseDistance(const Camera& camera, const Rigid3& a, const Ri
     best = std::min(best, largest(turnedTowards(model(), b * s, a)));
   }
   return best;
-}
-
-void SearchModel::buildAnchors() {
-  const ViewSphere& sphere = object_->views;
-  const double diameter = model().diameter;
-  const Eigen::Vector3d centre = model().centre();
-  for (size_t l = 0; l < sphere.distances.size(); ++l) {
-    AnchorLevel level;
-    const double ratio = sphere.distances[l] / diameter;
-    // Levels meet half way in 1 / ratio, which is what perspective depends on.
-    level.min_ratio = l == 0 ? 0.8 * ratio : levels_.back().max_ratio;
-    level.max_ratio =
-        l + 1 == sphere.distances.size() ? 1e9 : 2 / (1 / ratio + diameter / sphere.distances[l + 1]);
-    for (int k = 0; k < sphere.directions; ++k) {
-      const int index = int(l) * sphere.directions + k;
-      const SampledView& view = sphere.views[index];
-      const double step = sampleStepOf(view);
-      const FlatView flat = flatten(view, view_rotation_[index], centre, step);
-      std::vector<int> visible(model().edges.size(), 0);
-      for (int g : flat.group)
-        if (g < int(visible.size())) ++visible[g];
-      for (size_t e = 0; e < model().edges.size(); ++e) {
-        const ModelEdge& edge = model().edges[e];
-        const double whole = (edge.q - edge.p).norm();
-        if (visible[e] * step < kMinAnchorVisible * whole) continue;
-        const auto flatPoint = [&](const Eigen::Vector3d& p) -> Eigen::Vector2d {
-          const Eigen::Vector3d c =
-              view_rotation_[index] * (p - centre) + Eigen::Vector3d(0, 0, view.distance);
-          return c.head<2>() * (view.distance / c.z());
-        };
-        const Eigen::Vector2d a = flatPoint(edge.p), b = flatPoint(edge.q), ab = b - a;
-        if (ab.norm() < kMinAnchorShare * diameter) continue;
-        // Samples of other features first, farthest from the ruler first.
-        std::vector<double> weight(flat.place.size());
-        for (size_t i = 0; i < weight.size(); ++i) {
-          const double along = std::clamp((flat.place[i] - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-          weight[i] =
-              flat.group[i] == int(e) ? 1e-6 : (flat.place[i] - a - along * ab).norm() + 1e-3 * diameter;
-        }
-        std::vector<int> order = spreadOrder(flat.place, weight, Anchor::kSamples);
-        if (order.empty()) continue;
-        const size_t distinct = order.size();
-        while (order.size() < size_t(Anchor::kSamples)) order.push_back(order[order.size() % distinct]);
-        Anchor anchor;
-        anchor.a = a.cast<float>();
-        anchor.b = b.cast<float>();
-        anchor.length = float(ab.norm());
-        anchor.contour = float(flat.length);
-        anchor.view = index;
-        anchor.centre_x = float(-a.dot(ab) / ab.squaredNorm());
-        anchor.centre_y = float((ab.y() * a.x() - ab.x() * a.y()) / ab.squaredNorm());
-        for (int i = 0; i < Anchor::kSamples; ++i) {
-          const Eigen::Vector2d r = flat.place[order[i]] - a, d = flat.direction[order[i]];
-          anchor.x[i] = float(r.dot(ab) / ab.squaredNorm());
-          anchor.y[i] = float((ab.x() * r.y() - ab.y() * r.x()) / ab.squaredNorm());
-          const double angle = std::atan2(ab.x() * d.y() - ab.y() * d.x(), ab.dot(d));
-          anchor.angle[i] = uint8_t(int(std::lround(angle / M_PI * 256.0)) & 255);
-        }
-        level.anchors.push_back(anchor);
-      }
-    }
-    std::stable_sort(level.anchors.begin(), level.anchors.end(),
-                     [](const Anchor& p, const Anchor& q) { return p.length < q.length; });
-    levels_.push_back(std::move(level));
-  }
 }
 
 CoarseScore scorePose(const SearchModel& model, int view, const Rigid3& pose, const Camera& camera,

@@ -1,11 +1,13 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "monocular_eye_hand/grouping/grouping.h"
+#include "monocular_eye_hand/model/closest_point.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "recognition/anchors.h"
 #include "recognition/evidence.h"
 
 namespace monocular_eye_hand {
@@ -14,26 +16,6 @@ namespace monocular_eye_hand {
 struct ViewSample {
   Eigen::Vector3f p, tangent;  ///< object frame; tangent unit
   int group = 0;
-};
-
-/// A model edge seen in one view, as the ruler of a flat template: once its two ends are laid on an image
-/// segment, every other contour sample has its place. Offsets are complex multiples of the ruler (x along it,
-/// y across).
-struct Anchor {
-  static constexpr int kSamples = 16;
-  std::array<float, kSamples> x, y;
-  std::array<uint8_t, kSamples> angle;  ///< sample direction relative to the ruler, 256 = pi
-  Eigen::Vector2f a, b;  ///< the ruler's ends in the view: metres at the distance of the object's centre
-  float centre_x = 0, centre_y = 0;  ///< the object's centre, in multiples of the ruler
-  float length = 0;                  ///< |b - a|
-  float contour = 0;                 ///< length of the whole visible contour in the same unit
-  int view = 0;                      ///< ViewSphere::views
-};
-
-/// The anchors of one eye distance, ascending by length.
-struct AnchorLevel {
-  double min_ratio = 0, max_ratio = 0;  ///< eye distances in diameters for which this level stands
-  std::vector<Anchor> anchors;
 };
 
 /// How large a part looks from one side: of its convex hull, at the distance of its centre.
@@ -70,6 +52,10 @@ class SearchModel {
   /// group.
   double poseDistance(const Camera& camera, const Rigid3& a, const Rigid3& b) const;
 
+  /// Whether no point of the part lies farther from its surface under the other pose than a camera can tell
+  /// [px]: the two poses are one, whatever turn is between them.
+  bool coincide(const Camera& camera, const Rigid3& a, const Rigid3& b, double resolved) const;
+
   /// Turns about the centre that lay the bounding box on itself and are no symmetries: object_from_object.
   const std::vector<Rigid3>& boxTurns() const { return box_turns_; }
 
@@ -80,7 +66,6 @@ class SearchModel {
 
  private:
   void buildLookup();
-  void buildAnchors();
   void buildBoxTurns();
   void buildHull();
   ViewExtent extentAlong(const Eigen::Vector3d& direction) const;
@@ -99,6 +84,7 @@ class SearchModel {
   double meridian_ = 0;          ///< azimuth of the sampled views about a free axis [rad]
   std::vector<Eigen::Vector3d> extent_;
   std::vector<Rigid3> box_turns_;
+  std::shared_ptr<const ClosestPoint> surface_;
   std::vector<Eigen::Vector3d> hull_;  ///< vertices that are outermost in some direction
   ViewExtent largest_;
 };

@@ -16,6 +16,7 @@ constexpr double kWorthContest = 0.05;  // probability of the likeliest, else no
 constexpr double kFarBehind = 4;        // log-odds behind the likeliest: no contest
 constexpr double kSamePlace = 0.35;     // of the diameter between the centres
 constexpr double kOtherPose = 10;       // nearer poses are taken for one [px]
+constexpr double kResolved = 2.5;       // ... and those whose surfaces lie nowhere farther apart [px]
 constexpr int kMostRays = 2500;         // of one contestant whose faces are looked at
 
 double ownLogOdds(const SearchTask& task, const Candidate& candidate) {
@@ -29,9 +30,10 @@ int contestantOf(const SearchTask& task, const std::vector<Candidate>& candidate
   const SearchModel& model = task.models[size_t(one.object)];
   for (int c : competing) {
     const Candidate& contestant = candidates[size_t(c)];
-    if (contestant.object == one.object &&
-        model.poseDistance(task.image.camera, contestant.pose.camera_from_object,
-                           one.pose.camera_from_object) < kOtherPose)
+    if (contestant.object != one.object) continue;
+    const Rigid3 &known = contestant.pose.camera_from_object, &pose = one.pose.camera_from_object;
+    if (model.poseDistance(task.image.camera, known, pose) < kOtherPose ||
+        model.coincide(task.image.camera, known, pose, kResolved))
       return c;
   }
   return -1;

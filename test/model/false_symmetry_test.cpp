@@ -9,7 +9,7 @@
 #include <random>
 #include <tuple>
 
-#include "model/closest_point.h"
+#include "monocular_eye_hand/model/closest_point.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "shapes.h"
 

@@ -132,6 +132,23 @@ TEST_F(Bar, what_this_view_hides_leaves_both_as_likely_and_the_winner_ranks_as_b
   EXPECT_NEAR(winner.probability / winner.winners_share, together, 1e-9);
 }
 
+TEST_F(Bar, poses_coincide_when_no_camera_tells_their_surfaces_apart) {
+  const Rigid3 turn = turnAbout(models_[0].model().centre(),
+                                Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+  const auto coincideAt = [&](double distance, const Rigid3& motion) {
+    Rigid3 pose;
+    pose.translation.z() = distance;
+    return models_[0].coincide(testCamera(), pose, pose * motion, 2.5);
+  };
+  EXPECT_TRUE(coincideAt(0.4, Rigid3{}));
+  EXPECT_FALSE(coincideAt(0.4, turn)) << "the boss is 21 px high";
+  EXPECT_TRUE(coincideAt(4, turn)) << "the boss is 2 px high";
+  Rigid3 beside;
+  beside.translation.x() = 0.002;
+  EXPECT_FALSE(coincideAt(0.4, beside)) << "3.5 px";
+  EXPECT_TRUE(coincideAt(1, beside)) << "1.4 px";
+}
+
 TEST_F(Bar, one_that_is_far_behind_does_not_compete) {
   const SearchImage image = seen(true);
   const SearchTask task{image, models_, wanted_, options_};

@@ -1,0 +1,37 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "monocular_eye_hand/model/model_base.h"
+
+namespace monocular_eye_hand {
+
+/// A straight line of the contour in one view, as the ruler of a flat template: once its two ends are laid on
+/// an image segment, every other contour sample has its place. Offsets are complex multiples of the ruler (x
+/// along it, y across).
+struct Anchor {
+  static constexpr int kSamples = 16;
+  std::array<float, kSamples> x, y;
+  std::array<uint8_t, kSamples> angle;  ///< sample direction relative to the ruler, 256 = pi
+  Eigen::Vector2f a, b;  ///< the ruler's ends in the view: metres at the distance of the object's centre
+  float centre_x = 0, centre_y = 0;  ///< the object's centre, in multiples of the ruler
+  float length = 0;                  ///< |b - a|
+  float contour = 0;                 ///< length of the whole visible contour in the same unit
+  int view = 0;                      ///< ViewSphere::views
+};
+
+/// The anchors of one eye distance, ascending by length.
+struct AnchorLevel {
+  double min_ratio = 0, max_ratio = 0;  ///< eye distances in diameters for which this level stands
+  std::vector<Anchor> anchors;
+};
+
+/// The anchors of a model, level by level. Rulers are its straight sharp edges and, in views that show few of
+/// them, the straight pieces of other lines: where a cylinder or a rounded part ends against the background.
+/// `view_rotations`: the camera's axes in the object frame as rows, one per view of the sphere.
+std::vector<AnchorLevel> anchorLevels(const KnownObject& object,
+                                      const std::vector<Eigen::Matrix3d>& view_rotations);
+
+}  // namespace monocular_eye_hand
