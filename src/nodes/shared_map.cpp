@@ -16,8 +16,8 @@ SharedMap::Added SharedMap::add(const ObjectView& view, const ros::Time& stamp) 
   std::lock_guard<std::mutex> lock(mutex_);
   Added added;
   ViewReport& report = added.report;
-  if (!stamp_.isZero() && (stamp_ - stamp).toSec() > kRestart) {
-    added.went_back = (stamp_ - stamp).toSec();
+  if ((newest_ - stamp).toSec() > kRestart) {
+    added.went_back = (newest_ - stamp).toSec();
     clearAll();
   }
   added.before_forget = stamp < not_before_;
@@ -27,7 +27,7 @@ SharedMap::Added SharedMap::add(const ObjectView& view, const ros::Time& stamp) 
     report = map_.add(view);
   refused_ = report.refused;
   if (!report.refused.empty()) return added;
-  stamp_ = stamp;
+  stamp_ = newest_ = stamp;
   table_height_ = view.known.table_height;
   ruled_out_ = ruledOut(report);
   std::map<std::pair<int, int>, ros::Time> stamps;
@@ -70,7 +70,7 @@ int SharedMap::forget(int object, int instance, const ros::Time& now) {
   if (object < 0) {
     const int all = int(map_.objects().size());
     map_.clear();  // the stamps of views may start again, too
-    not_before_ = ros::Time();
+    not_before_ = newest_ = ros::Time();
     return all;
   }
   int forgotten = 0;
@@ -90,7 +90,7 @@ void SharedMap::clearAll() {
   map_.clear();
   stamps_.clear();
   ruled_out_.clear();
-  stamp_ = not_before_ = ros::Time();
+  stamp_ = newest_ = not_before_ = ros::Time();
 }
 
 }  // namespace monocular_eye_hand

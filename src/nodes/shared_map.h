@@ -56,6 +56,7 @@ class SharedMap {
   ObjectMap map_;
   std::map<std::pair<int, int>, ros::Time> stamps_;  // of object and number: the last view
   ros::Time stamp_;
+  ros::Time newest_;  // the next view must not be much older; zero: any may come
   ros::Time not_before_;
   std::string refused_;
   std::vector<std::string> ruled_out_;
