@@ -26,6 +26,8 @@ std::optional<ArmState> ArmStates::add(const sensor_msgs::JointState& message, d
     ++named;
   }
   if (named == 0) return std::nullopt;
+  for (Joint& joint : joints)
+    if (joint.stamp - stamp > kRestart) joint.known = false;  // of a time before this one
   joints_ = joints;
 
   ArmState state;

@@ -22,8 +22,8 @@ const char kPick[] = "planner/pick";
 const char kPlace[] = "planner/place";
 const char kMove[] = "planner/move";
 const ros::WallDuration kPoll(0.05), kTick(0.005);
-constexpr double kSlowTopic = 0.2;       // the objects may come so much later than the answer [s, wall clock]
-constexpr double kSlowEyeHand = 1.0;     // ... and their view after them
+constexpr std::chrono::milliseconds kSlowTopic(200);     // the objects may come so much later than the answer
+constexpr std::chrono::milliseconds kSlowEyeHand(1000);  // ... and their view after them
 constexpr double kGone = 3.0;            // a recogniser that is not there for so long is told [s]
 constexpr int kRefusedViews = 3;         // in a row: waiting on helps no more
 const ros::Duration kOneClock(86400.0);  // stamps of one clock do not lie further apart
@@ -266,12 +266,11 @@ void RosTaskWorld::askRecognizer() {
     else if (gone_at_.never())
       gone_at_ = Moment::now();
     gone_now_ = !there && ask_after_;
-    const auto seconds = [](double s) { return std::chrono::duration<double>(s); };
     const auto recognized = [&] { return enough() || recognized_ >= after; };
-    if (answered && asked_.wait_for(lock, seconds(kSlowTopic), recognized) && !enough())
-      asked_.wait_for(lock, seconds(kSlowEyeHand), enough);
-    else if (!answered)
-      asked_.wait_for(lock, seconds(kSlowTopic), enough);
+    if (!answered)
+      asked_.wait_for(lock, kSlowTopic, enough);
+    else if (asked_.wait_for(lock, kSlowTopic, recognized) && !enough())
+      asked_.wait_for(lock, kSlowEyeHand, enough);
   }
 }
 

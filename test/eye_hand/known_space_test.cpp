@@ -99,7 +99,7 @@ TEST_F(KnownSpaceTest, ASmallBoxInsideAPartIsFound) {
 TEST(ObjectMapKnowsTheCell, WhatReachesBelowTheTableIsRefused) {
   ObjectMap map(&models());
   const ViewReport report = map.add(above(1, kLeft,
-                                          {{kBridge, standing(0.40, 0.06, kTable - 0.010)},
+                                          {{kBridge, standing(0.40, 0.06, kTable - 0.016)},
                                            {kBracket, standing(0.45, 0.0, kTable - 0.040)},
                                            {kBridge, standing(0.50, -0.06, kTable)}}));
   for (const int phantom : {0, 1}) {
@@ -115,7 +115,7 @@ TEST(ObjectMapKnowsTheCell, WhatReachesBelowTheTableIsRefused) {
 TEST(ObjectMapKnowsTheCell, WhatIsLocatedBadlyOnceIsNotMissed) {
   ObjectMap map(&models());
   map.add(above(1, kLeft, {{kBridge, standing(0.40, 0.06, kTable)}}));
-  const ViewReport bad = map.add(above(2, kRight, {{kBridge, standing(0.40, 0.06, kTable - 0.012)}}));
+  const ViewReport bad = map.add(above(2, kRight, {{kBridge, standing(0.40, 0.06, kTable - 0.016)}}));
   EXPECT_TRUE(bad.decisions[0].impossible);
   ASSERT_EQ(map.objects().size(), 1u);
   EXPECT_EQ(map.objects()[0].misses, 0);
