@@ -1,10 +1,10 @@
 #include "nodes/node_watch.h"
 
+#include <XmlRpcValue.h>
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/this_node.h>
-#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <cstdio>
 

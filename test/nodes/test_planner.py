@@ -180,11 +180,6 @@ class PlannerInCell(unittest.TestCase):
         ways = zip(self.arm_of(before, before.position), self.arm_of(after, after.position))
         self.assertLess(max(abs(a - b) for a, b in ways), 1e-6)
 
-    def wait_until_it_stands(self):
-        self.heard["/joint_states"].clear()
-        self.assertIsNotNone(self.heard["/joint_states"].wait(
-            lambda m: max(abs(v) for v in self.arm_of(m, m.velocity)) == 0))
-
 
 class TestPlanner(PlannerInCell):
     # In the order of their names: the cell goes on from test to test.
