@@ -64,7 +64,7 @@ add_message_files(FILES
   PoseAlternative.msg RecognizedObject.msg RecognizedObjectArray.msg LocatedObject.msg LocatedObjectArray.msg
   GraspTarget.msg GraspTargetArray.msg GripperState.msg ClearedObject.msg WorkCellObject.msg WorkCellTruth.msg)
 add_service_files(FILES Recognize.srv GraspTargets.srv ForgetObject.srv)
-add_action_files(FILES Pick.action Place.action Move.action ClearFrame.action)
+add_action_files(FILES Pick.action Place.action Move.action Recover.action ClearFrame.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs sensor_msgs std_msgs)
 
 set(libraries ${MONOCULAR_EYE_HAND_ROOMS})

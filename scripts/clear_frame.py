@@ -206,7 +206,7 @@ class Run:
             self.log.close()
 
 
-OUTCOMES = ["waiting", "carried", "gone", "left", "held", "dropped"]
+OUTCOMES = ["waiting", "carried", "gone", "left", "held", "dropped", "doubt"]
 
 
 def report_of(run, result, symmetries):

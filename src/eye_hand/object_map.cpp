@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 #include <tuple>
 
@@ -16,6 +17,12 @@ namespace monocular_eye_hand {
 namespace {
 
 std::string label(const MappedObject& object) { return object.name + " " + std::to_string(object.number); }
+
+std::string seconds(double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f s", value);
+  return text;
+}
 
 void checkView(const ObjectView& view, const ModelBase& models) {
   if (!std::isfinite(view.stamp)) throw BadInput("the view's stamp is not finite");
@@ -51,10 +58,8 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   report.decisions.resize(view.objects.size());
   for (size_t i = 0; i < view.objects.size(); ++i) report.decisions[i].object = view.objects[i].object;
   if (started_ && view.stamp <= last_stamp_) {
-    std::ostringstream text;
-    text << "the view of " << view.stamp << " s is not newer than the last one of " << last_stamp_
-         << " s; clear the map when time starts again";
-    report.refused = text.str();
+    report.refused = "the view of " + seconds(view.stamp) + " is not newer than the last one of " +
+                     seconds(last_stamp_) + "; clear the map when time starts again";
     for (ViewDecision& decision : report.decisions) decision.reason = report.refused;
     return report;
   }
@@ -64,7 +69,7 @@ ViewReport ObjectMap::add(const ObjectView& view) {
                              ? handEye(view.hand_eye.tool0_from_camera, options_.hand_eye).covariance
                              : view.hand_eye.covariance;
 
-  std::vector<Sighting> sightings;
+  std::vector<Sighting> sightings, impossible_ones;
   std::vector<size_t> source;
   for (size_t i = 0; i < view.objects.size(); ++i) {
     if (view.objects[i].probability < options_.min_probability) {
@@ -74,12 +79,23 @@ ViewReport ObjectMap::add(const ObjectView& view) {
       report.decisions[i].reason = text.str();
       continue;
     }
-    sightings.push_back(sighting(view, view.objects[i]));
+    const Sighting seen = sighting(view, view.objects[i]);
+    if (const std::string why = impossible(seen, view.known); !why.empty()) {
+      report.decisions[i].reason = why;
+      report.decisions[i].impossible = true;
+      impossible_ones.push_back(seen);
+      continue;
+    }
+    sightings.push_back(seen);
     source.push_back(i);
   }
   std::vector<double> chi_squares;
   const std::vector<int> track_of = associate(sightings, &chi_squares);
   std::vector<char> met(tracks_.size(), 0);
+  // A known object that is located badly once is not missed.
+  for (const Sighting& seen : impossible_ones)
+    for (size_t t = 0; t < tracks_.size(); ++t)
+      if (tracks_[t].object.object == seen.object && samePlace(tracks_[t].merged, seen)) met[t] = 1;
   for (size_t k = 0; k < sightings.size(); ++k) {
     ViewDecision& decision = report.decisions[source[k]];
     if (track_of[k] >= 0) {
@@ -281,14 +297,24 @@ void ObjectMap::merge(Track* track, const Sighting& seen) const {
   ++track->object.views;
 }
 
+Matrix6d ObjectMap::totalCovariance(const Sighting& seen) const {
+  const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
+  Matrix6d total = seen.image + carried(seen.hand_eye, hand_eye_covariance_) +
+                   carried(seen.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
+  total.diagonal().head<3>().array() += options_.arm.position_sigma * options_.arm.position_sigma;
+  return total;
+}
+
+std::string ObjectMap::impossible(const Sighting& seen, const KnownSpace& known) {
+  return reachesIntoKnown(model(seen.object), core(seen.object), seen.base_from_object, totalCovariance(seen),
+                          known, {options_.known_depth, options_.known_sigmas});
+}
+
 void ObjectMap::publish(Track* track) const {
   MappedObject& object = track->object;
   const Sighting& merged = track->merged;
   const ObjectModel& shape = model(object.object);
-  const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
-  Matrix6d total = merged.image + carried(merged.hand_eye, hand_eye_covariance_) +
-                   carried(merged.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
-  total.diagonal().head<3>().array() += options_.arm.position_sigma * options_.arm.position_sigma;
+  Matrix6d total = totalCovariance(merged);
   addFloor(&total);  // what CAD and part differ by is the same in every view
   object.base_from_object = merged.base_from_object;
   object.probability = merged.probability;

@@ -34,6 +34,8 @@ void ObjectMapOptions::check() const {
   require(min_turn >= 0, "min_turn", min_turn, "0 or more");
   require(most_views >= 1, "most_views", most_views, "1 or more");
   requirePositive("overlap_depth", overlap_depth);
+  require(known_depth >= 0, "known_depth", known_depth, "0 or more");
+  require(known_sigmas >= 0, "known_sigmas", known_sigmas, "0 or more");
   require(forget_after_misses >= 1, "forget_after_misses", forget_after_misses, "1 or more");
   requireShare("expected_share", expected_share);
   require(expected_size >= 0, "expected_size", expected_size, "0 or more");

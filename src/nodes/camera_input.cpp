@@ -62,9 +62,27 @@ uint64_t CameraInput::received() const {
   return newest_.number;
 }
 
+uint64_t CameraInput::restarts() const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return stamps_.restarts();
+}
+
+std::string CameraInput::stampProblem() const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return stamps_.problem();
+}
+
+bool CameraInput::stampsInFuture() const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return stamps_.inFuture();
+}
+
 void CameraInput::onImage(const sensor_msgs::ImageConstPtr& image) {
   std::lock_guard<std::mutex> lock(mutex_);
+  stamps_.add(image->header.stamp, ros::Time::now());
   newest_.image = image;
+  newest_.restarts = stamps_.restarts();
+  newest_.clock = ros::Time::now();
   ++newest_.number;
   changed_.notify_all();
 }

@@ -13,12 +13,15 @@
 #include <string>
 
 #include "nodes/camera_info.h"
+#include "nodes/stamp_watch.h"
 
 namespace monocular_eye_hand {
 
 /// An image with the calibration it came with.
 struct CameraFrame {
-  uint64_t number = 0;  ///< counts the images received, from 1
+  uint64_t number = 0;    ///< counts the images received, from 1
+  uint64_t restarts = 0;  ///< of the stamps before it
+  ros::Time clock;        ///< when it came
   sensor_msgs::ImageConstPtr image;
   sensor_msgs::CameraInfoConstPtr info;  ///< null: none was ever received
 };
@@ -37,6 +40,11 @@ class CameraInput {
   bool next(double timeout, CameraFrame* frame);
   /// Images received so far: the number of the newest.
   uint64_t received() const;
+  /// Of the stamps so far; a frame with fewer is from before time went back.
+  uint64_t restarts() const;
+  /// What is odd about the stamps; "" while nothing is.
+  std::string stampProblem() const;
+  bool stampsInFuture() const;
   std::string imageTopic() const { return image_.getTopic(); }
   std::string infoTopic() const { return info_.getTopic(); }
   uint32_t imagePublishers() const { return image_.getNumPublishers(); }
@@ -50,6 +58,7 @@ class CameraInput {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   CameraFrame newest_;
+  StampWatch stamps_;
   uint64_t handed_out_ = 0;
   std::deque<sensor_msgs::CameraInfoConstPtr> infos_;  // newest last
   bool stamps_match_ = true;                           // as far as we know

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
 
@@ -32,6 +33,16 @@ sensor_msgs::RegionOfInterest toRegion(const cv::Rect& box) {
 }
 
 }  // namespace
+
+std::string withoutSlash(const std::string& frame) {
+  return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
+}
+
+std::string secondsText(double seconds) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f s", seconds);
+  return text;
+}
 
 geometry_msgs::Pose toPose(const Rigid3& a_from_b) {
   const Eigen::Quaterniond q = a_from_b.quaternion().normalized();

@@ -13,6 +13,11 @@
 
 namespace monocular_eye_hand {
 
+/// A frame's name as tf2 takes it: tf of old wrote a slash before it.
+std::string withoutSlash(const std::string& frame);
+/// "1.250 s": stamps are too large for the digits of a stream.
+std::string secondsText(double seconds);
+
 /// `a_from_b` is the pose of frame b in frame a.
 geometry_msgs::Pose toPose(const Rigid3& a_from_b);
 Rigid3 fromPose(const geometry_msgs::Pose& pose);

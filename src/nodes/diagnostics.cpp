@@ -11,8 +11,10 @@ constexpr double kLogAgain = 10.0;  // the same problem is logged again [s]
 
 }  // namespace
 
-Diagnostics::Diagnostics(const CameraInput& input, double period) : input_(input), period_(period) {
-  last_image_at_ = rate_at_ = ros::WallTime::now();
+Diagnostics::Diagnostics(const CameraInput& input, double period, std::function<bool()> wants_images)
+    : input_(input), period_(period), wants_images_(std::move(wants_images)) {
+  last_image_at_ = Moment::now();
+  rate_at_ = ros::WallTime::now();
   updater_.setHardwareID("none");
   updater_.add("camera", this, &Diagnostics::camera);
   updater_.add("recognition", this, &Diagnostics::recognition);
@@ -63,6 +65,8 @@ std::string Diagnostics::silence() const {
   return "no image: " + topic + " has a publisher but sends nothing";
 }
 
+bool Diagnostics::silent() const { return last_image_at_.since() > kSilence; }
+
 void Diagnostics::update() {
   {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -70,20 +74,30 @@ void Diagnostics::update() {
     const uint64_t received = input_.received();
     const double elapsed = (now - rate_at_).toSec();
     if (elapsed > 0) rate_ = double(received - received_) / elapsed;
-    if (received != received_) last_image_at_ = now;
+    if (received != received_ || !wants_images_()) last_image_at_ = Moment::now();
     received_ = received;
     rate_at_ = now;
-    if ((now - last_image_at_).toSec() > kSilence) logProblem(silence());
+    if (silent()) logProblem(silence());
+    const std::string odd = input_.stampProblem();
+    if (!odd.empty() && (now - odd_logged_at_).toSec() > kLogAgain) {
+      ROS_WARN("camera: %s", odd.c_str());
+      odd_logged_at_ = now;
+    }
   }
   updater_.force_update();
 }
 
 void Diagnostics::camera(diagnostic_updater::DiagnosticStatusWrapper& status) {
   std::lock_guard<std::mutex> lock(mutex_);
-  if (received_ == 0 || (ros::WallTime::now() - last_image_at_).toSec() > kSilence)
+  const std::string odd = input_.stampProblem();
+  if (silent() || (received_ == 0 && wants_images_()))
     status.summary(DiagnosticStatus::WARN, silence());
   else if (!problem_.empty())
     status.summary(DiagnosticStatus::ERROR, problem_);
+  else if (!odd.empty())
+    status.summary(DiagnosticStatus::WARN, odd);
+  else if (received_ == 0)
+    status.summary(DiagnosticStatus::OK, "no image yet, and nobody asked for one");
   else
     status.summary(DiagnosticStatus::OK, description_.empty() ? "images arrive" : description_);
   status.add("image topic", input_.imageTopic());

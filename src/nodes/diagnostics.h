@@ -3,10 +3,12 @@
 #include <ros/ros.h>
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 
 #include "nodes/camera_input.h"
+#include "nodes/moment.h"
 
 namespace monocular_eye_hand {
 
@@ -15,8 +17,8 @@ namespace monocular_eye_hand {
 /// well, when they change and every ten seconds. Runs on wall time: a paused clock hides nothing.
 class Diagnostics {
  public:
-  /// `input` must outlive it.
-  Diagnostics(const CameraInput& input, double period);
+  /// `input` must outlive it. `wants_images`: whether their silence is one.
+  Diagnostics(const CameraInput& input, double period, std::function<bool()> wants_images);
   /// Image and calibration are usable.
   void cameraGood(const std::string& description);
   /// They are not: what is wrong, in a sentence.
@@ -31,14 +33,16 @@ class Diagnostics {
   void recognition(diagnostic_updater::DiagnosticStatusWrapper& status);
   void logProblem(const std::string& problem);  // with mutex_ held
   std::string silence() const;                  // why no image comes
+  bool silent() const;                          // with mutex_ held
 
   const CameraInput& input_;
   double period_;
+  const std::function<bool()> wants_images_;
   std::mutex mutex_;
   std::string description_, problem_;
   std::string logged_;
-  ros::WallTime logged_at_;
-  ros::WallTime last_image_at_;
+  ros::WallTime logged_at_, odd_logged_at_;
+  Moment last_image_at_;
   uint64_t received_ = 0;
   double rate_ = 0;  // images per second over the last period
   ros::WallTime rate_at_;

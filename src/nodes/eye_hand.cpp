@@ -4,8 +4,10 @@
 
 #include "monocular_eye_hand/arm/arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "nodes/conversion.h"
 #include "nodes/eye_hand_node.h"
 #include "nodes/eye_hand_setup.h"
+#include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
 
 namespace meh = monocular_eye_hand;
@@ -13,9 +15,12 @@ namespace meh = monocular_eye_hand;
 int main(int argc, char** argv) {
   ros::init(argc, argv, "eye_hand");
   ros::NodeHandle node;  // keeps the node up
+  const meh::NodeWatch watch;
   try {
     meh::EyeHandParameters parameters;
     meh::readOptions(meh::privateParameters({}), &parameters);
+    for (std::string* frame : {&parameters.base_frame, &parameters.tool_frame, &parameters.table_frame})
+      *frame = meh::withoutSlash(*frame);
     const meh::Puma560 arm(parameters.arm);
     const meh::ArmDescription description = meh::loadSameArm(parameters, arm);
     meh::warnOfOtherRobot(parameters.urdf);

@@ -4,14 +4,15 @@ namespace monocular_eye_hand {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
-constexpr double kSilence = 10.0;   // without a view for so long the recogniser is reported [s]
+constexpr double kSilence =
+    10.0;  // without a view for so long the recogniser is reported [s], unless it waits to be asked
 constexpr double kLogAgain = 10.0;  // the same problem is logged again [s]
 
 }  // namespace
 
 EyeHandDiagnostics::EyeHandDiagnostics(double period, std::function<EyeHandState()> state)
     : period_(period), state_(std::move(state)) {
-  last_view_at_ = ros::WallTime::now();
+  last_view_at_ = Moment::now();
   updater_.setHardwareID("none");
   updater_.add("views", this, &EyeHandDiagnostics::views);
   updater_.add("arm", this, &EyeHandDiagnostics::arm);
@@ -29,7 +30,7 @@ void EyeHandDiagnostics::viewUsed(const std::string& outcomes) {
   if (!problem_.empty()) ROS_INFO("views are used again");
   problem_.clear();
   logged_at_ = ros::WallTime();
-  last_view_at_ = ros::WallTime::now();
+  last_view_at_ = Moment::now();
 }
 
 void EyeHandDiagnostics::viewRefused(const std::string& reason) {
@@ -37,11 +38,17 @@ void EyeHandDiagnostics::viewRefused(const std::string& reason) {
   ++refused_;
   problem_ = reason;
   const ros::WallTime now = ros::WallTime::now();
-  last_view_at_ = now;
+  last_view_at_ = Moment::now();
   // Not compared with the last text: most hold a stamp and always differ.
   if (!logged_at_.isZero() && (now - logged_at_).toSec() < kLogAgain) return;
   logged_at_ = now;
   ROS_WARN("a view is not used: %s", reason.c_str());
+}
+
+void EyeHandDiagnostics::viewLeftOut() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  ++left_out_;
+  last_view_at_ = Moment::now();
 }
 
 void EyeHandDiagnostics::views(diagnostic_updater::DiagnosticStatusWrapper& status) {
@@ -50,7 +57,7 @@ void EyeHandDiagnostics::views(diagnostic_updater::DiagnosticStatusWrapper& stat
   if (state.objects_publishers == 0)
     status.summary(DiagnosticStatus::WARN, "no view: nobody publishes " + state.objects_topic +
                                                " (start the recognizer, or remap the topic)");
-  else if ((ros::WallTime::now() - last_view_at_).toSec() > kSilence)
+  else if (last_view_at_.since() > kSilence && !state.on_request)
     status.summary(DiagnosticStatus::WARN,
                    "no view: " + state.objects_topic + " has a publisher but sends nothing");
   else if (!problem_.empty())
@@ -62,6 +69,7 @@ void EyeHandDiagnostics::views(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("camera_info publishers", state.info_publishers);
   status.add("views used", used_);
   status.add("views refused", refused_);
+  status.add("views from before a forget", left_out_);
   status.add("last view", outcomes_);
   status.add("known", state.known);
   status.add("seconds for all grasps", state.grasp_seconds);

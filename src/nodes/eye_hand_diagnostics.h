@@ -7,12 +7,15 @@
 #include <mutex>
 #include <string>
 
+#include "nodes/moment.h"
+
 namespace monocular_eye_hand {
 
 /// What the rest of the node tells on request.
 struct EyeHandState {
   std::string objects_topic, info_topic;
   uint32_t objects_publishers = 0, info_publishers = 0;
+  bool on_request = false;   ///< the recogniser works when it is asked only
   std::string arm_problem;   ///< why the joints now are not known; "": they are
   std::string known;         ///< the objects in words
   double grasp_seconds = 0;  ///< the last time all best grasps were computed
@@ -27,6 +30,8 @@ class EyeHandDiagnostics {
   void start();
   void viewUsed(const std::string& outcomes);
   void viewRefused(const std::string& reason);
+  /// Not used, and nothing is wrong with that.
+  void viewLeftOut();
 
  private:
   void views(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -35,10 +40,10 @@ class EyeHandDiagnostics {
   const double period_;
   const std::function<EyeHandState()> state_;
   std::mutex mutex_;
-  uint64_t used_ = 0, refused_ = 0;
+  uint64_t used_ = 0, refused_ = 0, left_out_ = 0;
   std::string problem_, outcomes_;
   ros::WallTime logged_at_;  // zero: the next refusal is logged
-  ros::WallTime last_view_at_;
+  Moment last_view_at_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
 };

@@ -2,7 +2,9 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/camera_info.h"
+#include "nodes/conversion.h"
 #include "nodes/eye_hand_conversion.h"
+#include "nodes/known_cell.h"
 #include "nodes/names.h"
 
 namespace monocular_eye_hand {
@@ -10,6 +12,11 @@ namespace {
 
 constexpr int kServiceThreads = 2;  // calls that are answered at the same time
 constexpr double kRestart = 1.0;    // a clock that goes back by more was set back on purpose [s]
+
+/// A view from before the last ~forget.
+struct BeforeForget : BadInput {
+  using BadInput::BadInput;
+};
 
 ros::NodeHandle privateNodeOn(ros::CallbackQueue* queue) {
   ros::NodeHandle node("~");
@@ -106,6 +113,9 @@ void EyeHandNode::workOn(const RecognizedObjectArray& view) {
     ROS_DEBUG("view of %f: %s", view.header.stamp.toSec(), outcomes.c_str());
     diagnostics_.viewUsed(outcomes);
     tell(view.header.stamp, "");
+  } catch (const BeforeForget& e) {  // as it should be: no warning
+    diagnostics_.viewLeftOut();
+    tell(view.header.stamp, e.what());
   } catch (const std::exception& e) {
     if (!stop_) refuse(view, e.what());
   }
@@ -127,14 +137,42 @@ std::string EyeHandNode::merge(const RecognizedObjectArray& view) {
   } catch (const BadCameraInfo& e) {
     throw BadInput("bad camera_info on " + infos_.getTopic() + ": " + e.what());
   }
-  const HandAtStamp hand =
-      hand_.at(view.header.stamp, view.header.frame_id, [this] { return stop_ || !ros::ok(); });
+  const std::string camera_frame = withoutSlash(view.header.frame_id);
+  const HandAtStamp hand = hand_.at(view.header.stamp, camera_frame, [this] { return stop_ || !ros::ok(); });
   if (!hand.problem.empty()) throw BadInput(hand.problem);
   input.hand = hand.hand;
   input.hand_eye = hand.hand_eye;
-  const ViewReport report = map_.add(input, view.header.stamp);
-  if (!report.refused.empty()) throw BadInput(report.refused + " (call ~forget for every object)");
-  return outcomesText(report, models_);
+  requireOpticalFrame(input, camera_frame, hand.table_height);
+  input.known = knownCell(parameters_, hand.table_height, hand.hand.base_from_tool0 * advisor_.tool0FromTcp(),
+                          hand.gripper);
+  const SharedMap::Added added = map_.add(input, view.header.stamp);
+  if (added.went_back > 0) {
+    ROS_WARN("the stamps of the views went back by %.1f s: everything known is forgotten", added.went_back);
+    hand_.restart();
+  }
+  if (added.before_forget) throw BeforeForget(added.report.refused);
+  if (!added.report.refused.empty())
+    throw BadInput(added.report.refused + " (call ~forget for every object)");
+  return outcomesText(added.report, models_);
+}
+
+/// A camera's driver that names the body's frame puts every object somewhere else.
+void EyeHandNode::requireOpticalFrame(const ObjectView& view, const std::string& frame, double table_height) {
+  if (frame == optical_frame_) return;
+  const std::string cure =
+      "; set the parameter camera_frame of the recognizer to the optical frame (z forward)";
+  const std::string optical = hand_.opticalFrameIn(frame);
+  if (!optical.empty())
+    throw BadInput("the view's frame " + frame +
+                   " is the body of the camera (x forward), whose optical frame is " + optical + cure);
+  const FrameAxes axes = parameters_.table ? axesOf(view, models_, table_height) : FrameAxes::kUnknown;
+  if (axes == FrameAxes::kOptical) optical_frame_ = frame;
+  if (axes == FrameAxes::kBody)
+    throw BadInput(
+        "the view's frame " + frame +
+        " seems to be the body of the camera (x forward): with its axes the objects would stand on the "
+        "table, as they are none does" +
+        cure);
 }
 
 void EyeHandNode::refuse(const RecognizedObjectArray& view, const std::string& reason) {
@@ -175,6 +213,7 @@ EyeHandState EyeHandNode::state() const {
   state.info_topic = infos_.getTopic();
   state.objects_publishers = views_.getNumPublishers();
   state.info_publishers = infos_.getNumPublishers();
+  ros::param::getCached(ros::names::parentNamespace(views_.getTopic()) + "/on_request", state.on_request);
   state.arm_problem = armNow().problem;
   for (const LocatedObject& object : map_.known().messages)
     state.known +=

@@ -40,6 +40,7 @@ class EyeHandNode {
   void workOn(const RecognizedObjectArray& view);
   /// Merges the view. Throws BadInput with the reason why it is not used; what it returns are outcomes.
   std::string merge(const RecognizedObjectArray& view);
+  void requireOpticalFrame(const ObjectView& view, const std::string& frame, double table_height);
   void refuse(const RecognizedObjectArray& view, const std::string& reason);
   /// Publishes what is known now.
   void tell(const ros::Time& stamp, const std::string& refused);
@@ -60,7 +61,8 @@ class EyeHandNode {
   std::condition_variable changed_;
   std::deque<RecognizedObjectArrayConstPtr> waiting_;
   sensor_msgs::CameraInfoConstPtr info_;
-  ros::Time last_now_;  // of the worker
+  ros::Time last_now_;         // of the worker
+  std::string optical_frame_;  // of the worker: objects have stood on the table by it
 
   ros::NodeHandle node_;
   ros::CallbackQueue service_queue_;

@@ -45,6 +45,7 @@ void EyeHandOutputs::publish(const KnownObjects& known, const ros::Time& stamp, 
   array.header.frame_id = parameters_.base_frame;
   array.objects = known.messages;
   array.refused = refused;
+  if (refused.empty()) array.ruled_out = known.ruled_out;
   objects_.publish(array);
   askForGrasps(known);
 }

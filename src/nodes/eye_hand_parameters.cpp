@@ -38,6 +38,8 @@ void EyeHandParameters::check() const {
   requirePositive("max_tf_turn", max_tf_turn);
   require(max_waiting >= 1, "max_waiting", max_waiting, "1 or more");
   require(std::isfinite(table_height), "table_height", table_height, "finite");
+  requireOwnNames(boxes);
+  require(held_width >= 0, "held_width", held_width, "0 or more");
   require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");
   requirePositive("diagnostic_period", diagnostic_period);
 }

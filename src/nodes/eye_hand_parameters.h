@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
 #include <string>
+#include <vector>
 
 #include "monocular_eye_hand/arm/puma560.h"
 #include "monocular_eye_hand/eye_hand/object_map.h"
 #include "monocular_eye_hand/grasp/plan_grasps.h"
+#include "nodes/cell_box.h"
 
 namespace monocular_eye_hand {
 
@@ -16,16 +18,19 @@ struct EyeHandParameters {
   std::string tool_frame = "tool0";      ///< the camera hangs on it
   /// In sensor_msgs/JointState, in the order of the arm.
   std::array<std::string, 6> joint_names{{"joint1", "joint2", "joint3", "joint4", "joint5", "joint6"}};
-  bool rectified = false;  ///< the recogniser works on image_rect: P of camera_info holds
-  double wait = 1.0;       ///< longest wait for tf, joint states and camera_info of a view [s, wall clock]
-  double memory = 120;     ///< tf and joint states are kept so long [s]
-  double max_joint_gap = 0.1;      ///< a joint state farther from the view's stamp does not count [s]
-  double max_joint_age = 1.0;      ///< an older joint state is not where the arm is now [s]
+  bool rectified = false;      ///< the recogniser works on image_rect: P of camera_info holds
+  double wait = 1.0;           ///< longest wait for tf, joint states and camera_info of a view [s, Moment]
+  double memory = 120;         ///< tf and joint states are kept so long [s]
+  double max_joint_gap = 0.1;  ///< a joint state farther from the view's stamp does not count [s]
+  double max_joint_age = 1.0;  ///< an older joint state is not where the arm is now [s]
   double max_tf_distance = 0.005;  ///< between tool0 of tf and of the joint states [m] ...
   double max_tf_turn = 0.01;       ///< ... and [rad]: beyond, one of the two is wrong
   int max_waiting = 10;            ///< views that wait for tf; when one more comes the oldest is refused
-  bool table = true;               ///< the hand keeps above table_height
-  double table_height = 0;         ///< z of the table's top in base_frame [m]
+  bool table = true;               ///< everything stands above table_height, and the hand keeps above it
+  double table_height = 0;         ///< z of the table's top in table_frame [m]
+  std::string table_frame;         ///< level frame of the table in tf; "": base_frame
+  std::vector<CellBox> boxes;      ///< whatever else stands in the cell: nothing reaches into it
+  double held_width = 0.002;       ///< between the pads of a stalled gripper: beyond, it holds something [m]
   int marker_triangles = 20000;    ///< meshes with more triangles are shown by their sharp edges
   double diagnostic_period = 1.0;  ///< [s, wall clock]
   ObjectMapOptions map;
@@ -43,7 +48,8 @@ struct EyeHandParameters {
     v("wait", wait), v("memory", memory);
     v("max_joint_gap", max_joint_gap), v("max_joint_age", max_joint_age);
     v("max_tf_distance", max_tf_distance), v("max_tf_turn", max_tf_turn), v("max_waiting", max_waiting);
-    v("table", table), v("table_height", table_height);
+    v("table", table), v("table_height", table_height), v("table_frame", table_frame);
+    v("boxes", boxes), v("held_width", held_width);
     v("marker_triangles", marker_triangles), v("diagnostic_period", diagnostic_period);
     v("map", map), v("arm", arm), v("gripper", gripper), v("sampling", sampling), v("grasp", grasp);
   }

@@ -47,7 +47,7 @@ GraspPlan GraspAdvisor::plan(const KnownObjects& known, size_t index, const Join
   const MappedObject& object = known.objects[index];
   GraspScene scene;
   scene.table = parameters_.table;
-  scene.table_height = parameters_.table_height;
+  scene.table_height = known.table_height.value_or(parameters_.table_height);
   for (size_t k = 0; k < known.objects.size(); ++k)
     if (k != index)
       scene.obstacles.push_back(

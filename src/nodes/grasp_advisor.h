@@ -30,6 +30,7 @@ class GraspAdvisor {
                                 const ArmNow& arm) const;
   /// The best grasp of each known object that may be grasped, or why it has none.
   GraspTargetArray best(const KnownObjects& known, const ArmNow& arm) const;
+  const Rigid3& tool0FromTcp() const { return tool0_from_tcp_; }
   /// Of a model, by ModelBase::objects.
   const ModelGrasps& modelGrasps(int object) const { return grasps_.at(size_t(object)); }
 

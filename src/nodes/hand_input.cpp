@@ -1,14 +1,25 @@
 #include "nodes/hand_input.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <sstream>
+#include <vector>
 
+#include "nodes/conversion.h"
 #include "nodes/eye_hand_conversion.h"
+#include "nodes/known_cell.h"
+#include "nodes/moment.h"
 #include "nodes/names.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 constexpr double kPoll = 0.005;  // while waiting for what is late [s]
+constexpr double kLongestWait =
+    10;  // in `wait`s of the wall clock, when the clock stands: a bag may have ended
+constexpr double kSameAxes = 0.02;     // of two rotation matrices
+const double kLevel = std::cos(0.02);  // of the table's normal against base's z
 
 // tf ends its sentences in several ways.
 std::string withoutFullStop(const std::string& text) {
@@ -27,32 +38,71 @@ HandInput::HandInput(const EyeHandParameters& parameters, const Puma560& arm)
       names::kJointStates, 200,
       [this](const sensor_msgs::JointStateConstPtr& message) { history_.add(*message, ros::Time::now()); },
       {}, ros::TransportHints().tcpNoDelay());
+  gripper_ = ros::NodeHandle().subscribe(names::kGripperState, 200, &HandInput::onGripper, this);
+}
+
+void HandInput::onGripper(const GripperState& state) {
+  const std::lock_guard<std::mutex> lock(gripper_mutex_);
+  if (!grippers_.empty() && state.header.stamp < grippers_.back().header.stamp) grippers_.clear();
+  grippers_.push_back(state);
+  while ((state.header.stamp - grippers_.front().header.stamp).toSec() > parameters_.memory)
+    grippers_.pop_front();
+}
+
+std::optional<GripperState> HandInput::gripperAt(const ros::Time& stamp) const {
+  const std::lock_guard<std::mutex> lock(gripper_mutex_);
+  const auto after =
+      std::upper_bound(grippers_.begin(), grippers_.end(), stamp,
+                       [](const ros::Time& t, const GripperState& g) { return t < g.header.stamp; });
+  if (after == grippers_.begin()) return std::nullopt;
+  const GripperState& last = *std::prev(after);
+  if ((stamp - last.header.stamp).toSec() > parameters_.max_joint_age) return std::nullopt;
+  return last;
+}
+
+std::string HandInput::tableHeight(const ros::Time& stamp, double* height) const {
+  *height = parameters_.table_height;
+  if (!parameters_.table || parameters_.table_frame.empty()) return "";
+  Rigid3 base_from_table;
+  const std::string problem =
+      lookUp(parameters_.base_frame, parameters_.table_frame, stamp, &base_from_table);
+  if (!problem.empty()) return problem + " (the parameter table_frame)";
+  if (base_from_table.rotation(2, 2) < kLevel)
+    return "table_frame = " + parameters_.table_frame + " is not level in " + parameters_.base_frame +
+           ": its z axis must point up";
+  *height += base_from_table.translation.z();
+  return "";
 }
 
 HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_frame,
                           const std::function<bool()>& stop) const {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(parameters_.wait);
+  const Moment begin = Moment::now();
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kLongestWait * parameters_.wait);
   HandAtStamp result;
   JointVector joints;
   auto match = JointHistory::Match::kNone;
-  std::string tool_problem, camera_problem;
+  std::string tool_problem, camera_problem, table_problem;
   while (true) {
-    const bool last = ros::WallTime::now() >= end || stop();
+    const bool last = begin.since() >= parameters_.wait || ros::WallTime::now() >= end || stop();
     tool_problem =
         lookUp(parameters_.base_frame, parameters_.tool_frame, stamp, &result.hand.base_from_tool0);
     camera_problem = lookUp(parameters_.tool_frame, camera_frame, stamp, &result.hand_eye.tool0_from_camera);
+    table_problem = tableHeight(stamp, &result.table_height);
     match = history_.at(stamp, parameters_.max_joint_gap, &joints);
-    if (last || (tool_problem.empty() && camera_problem.empty() && match == JointHistory::Match::kBetween))
-      break;
+    const bool transforms = tool_problem.empty() && camera_problem.empty() && table_problem.empty();
+    if (last || (transforms && match == JointHistory::Match::kBetween)) break;
     ros::WallDuration(kPoll).sleep();
   }
   if (!tool_problem.empty())
     result.problem = tool_problem + " (start robot_state_publisher, or the arm's driver)";
   else if (!camera_problem.empty())
     result.problem = camera_problem + " (the hand-eye transform: publish the calibration's result)";
+  else if (!table_problem.empty())
+    result.problem = table_problem;
   else if (match == JointHistory::Match::kNone)
     result.problem = noJointsText(stamp);
   if (!result.problem.empty()) return result;
+  result.gripper = gripperAt(stamp);
   const HandPose by_joints = handPose(arm_, joints);
   result.hand.jacobian = by_joints.jacobian;
   if (match != JointHistory::Match::kBetween) return result;  // moving: an angle nearby proves nothing
@@ -73,9 +123,7 @@ std::string HandInput::current(JointVector* joints) const {
     return "no joint states on " + joints_.getTopic() + ": " + history_.problem();
   const double age = (ros::Time::now() - stamp).toSec();
   if (age <= parameters_.max_joint_age) return "";
-  std::ostringstream text;
-  text << "the last joint state on " << joints_.getTopic() << " is " << age << " s old";
-  return text.str();
+  return "the last joint state on " + joints_.getTopic() + " is " + secondsText(age) + " old";
 }
 
 std::string HandInput::lookUp(const std::string& target, const std::string& source, const ros::Time& stamp,
@@ -89,6 +137,20 @@ std::string HandInput::lookUp(const std::string& target, const std::string& sour
   }
 }
 
+std::string HandInput::opticalFrameIn(const std::string& frame) const {
+  std::vector<std::string> all;
+  buffer_._getFrameStrings(all);
+  for (const std::string& other : all) {
+    std::string parent;
+    if (other.find("optical") == std::string::npos || !buffer_._getParent(other, ros::Time(0), parent))
+      continue;
+    Rigid3 frame_from_other;
+    if (parent != frame || !lookUp(frame, other, ros::Time(0), &frame_from_other).empty()) continue;
+    if ((frame_from_other.rotation - bodyFromOptical()).cwiseAbs().maxCoeff() < kSameAxes) return other;
+  }
+  return "";
+}
+
 std::string HandInput::noJointsText(const ros::Time& stamp) const {
   JointVector joints;
   ros::Time latest;
@@ -98,7 +160,7 @@ std::string HandInput::noJointsText(const ros::Time& stamp) const {
   if (!history_.latest(&joints, &latest))
     text << ": " << history_.problem();
   else
-    text << ": the latest one is " << (stamp - latest).toSec() << " s older";
+    text << ": the latest one is " << secondsText((stamp - latest).toSec()) << " older";
   return text.str();
 }
 

@@ -1,9 +1,13 @@
 #pragma once
+#include <monocular_eye_hand/GripperState.h>
 #include <ros/ros.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <deque>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <string>
 
 #include "monocular_eye_hand/eye_hand/chain.h"
@@ -15,8 +19,10 @@ namespace monocular_eye_hand {
 /// Where hand and camera were at a stamp.
 struct HandAtStamp {
   HandPose hand;
-  HandEye hand_eye;     ///< covariance zero: the options' stands in
-  std::string problem;  ///< why it is not known; "": it is
+  HandEye hand_eye;                     ///< covariance zero: the options' stands in
+  double table_height = 0;              ///< z of the table's top in base [m]
+  std::optional<GripperState> gripper;  ///< none: it says nothing
+  std::string problem;                  ///< why it is not known; "": it is
 };
 
 /// tf and joint_states. tf says where tool0 and the camera are, the joints give the Jacobian and must agree.
@@ -30,19 +36,31 @@ class HandInput {
   /// The joints now; returns why they are not known, "" when they are.
   std::string current(JointVector* joints) const;
   uint32_t jointPublishers() const { return joints_.getNumPublishers(); }
+  /// A frame of tf that hangs in `frame` as an optical frame (z forward) hangs in its camera's body (x
+  /// forward);
+  /// "" when there is none.
+  std::string opticalFrameIn(const std::string& frame) const;
+  /// Stamps start again: what was known of tf is forgotten.
+  void restart() { buffer_.clear(); }
 
  private:
   /// Problem of one of the two transforms, "" when it is there.
   std::string lookUp(const std::string& target, const std::string& source, const ros::Time& stamp,
                      Rigid3* target_from_source) const;
   std::string noJointsText(const ros::Time& stamp) const;
+  /// Sets `height` in base; returns why it is not known.
+  std::string tableHeight(const ros::Time& stamp, double* height) const;
+  void onGripper(const GripperState& state);
+  std::optional<GripperState> gripperAt(const ros::Time& stamp) const;
 
   const EyeHandParameters& parameters_;
   const Puma560& arm_;
   JointHistory history_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
-  ros::Subscriber joints_;
+  mutable std::mutex gripper_mutex_;
+  std::deque<GripperState> grippers_;  // by stamp
+  ros::Subscriber joints_, gripper_;
 };
 
 }  // namespace monocular_eye_hand

@@ -1,6 +1,7 @@
 #include <ros/ros.h>
 
 #include "nodes/image_source_node.h"
+#include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
 
 namespace meh = monocular_eye_hand;
@@ -8,6 +9,7 @@ namespace meh = monocular_eye_hand;
 int main(int argc, char** argv) {
   ros::init(argc, argv, "image_source");
   ros::NodeHandle node;  // keeps the node up
+  const meh::NodeWatch watch;
   try {
     meh::ImageSourceParameters parameters;
     // image_transport's plugins keep their settings below the name of the topic they publish.

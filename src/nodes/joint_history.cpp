@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace monocular_eye_hand {
 namespace {
@@ -11,64 +13,87 @@ constexpr double kRestart = 1.0;  // time that goes back by more was set back on
 }  // namespace
 
 void JointHistory::add(const sensor_msgs::JointState& message, const ros::Time& now) {
-  Entry entry{message.header.stamp.isZero() ? now : message.header.stamp, JointVector::Zero()};
+  const ros::Time stamp = message.header.stamp.isZero() ? now : message.header.stamp;
   std::string problem;
-  int found = 0;
-  for (size_t k = 0; k < names_.size(); ++k) {
+  std::vector<std::pair<size_t, double>> angles;
+  for (size_t k = 0; k < names_.size() && problem.empty(); ++k) {
     const auto name = std::find(message.name.begin(), message.name.end(), names_[k]);
+    if (name == message.name.end()) continue;
     const size_t index = size_t(name - message.name.begin());
-    if (name == message.name.end() || index >= message.position.size()) {
-      if (problem.empty()) problem = "the messages have no position of " + names_[k];
-      continue;
-    }
-    ++found;
-    entry.joints[int(k)] = message.position[index];
-    if (!std::isfinite(message.position[index])) problem = "the position of " + names_[k] + " is not finite";
+    if (index >= message.position.size())
+      problem = "the messages have no position of " + names_[k];
+    else if (!std::isfinite(message.position[index]))
+      problem = "the position of " + names_[k] + " is not finite";
+    else
+      angles.emplace_back(k, message.position[index]);
   }
+
   std::lock_guard<std::mutex> lock(mutex_);
-  if (!problem.empty()) {
-    if (found > 0 || entries_.empty()) problem_ = problem;
-    return;
-  }
-  problem_.clear();
-  if (!entries_.empty() && entry.stamp <= entries_.back().stamp) {
-    if ((entries_.back().stamp - entry.stamp).toSec() <= kRestart) return;
-    entries_.clear();
-  }
-  entries_.push_back(entry);
-  while ((entries_.back().stamp - entries_.front().stamp).toSec() > memory_) entries_.pop_front();
+  any_ = true;
+  if (!problem.empty() || !angles.empty()) problem_ = problem;
+  if (!problem.empty()) return;
+  for (const auto& [joint, angle] : angles) addAngle(joint, {stamp, angle});
 }
 
-JointHistory::Match JointHistory::at(const ros::Time& stamp, double max_gap, JointVector* joints) const {
-  std::lock_guard<std::mutex> lock(mutex_);
-  const auto after = std::lower_bound(entries_.begin(), entries_.end(), stamp,
+void JointHistory::addAngle(size_t joint, const Entry& entry) {
+  std::deque<Entry>& entries = entries_[joint];
+  if (!entries.empty() && entry.stamp <= entries.back().stamp) {
+    if ((entries.back().stamp - entry.stamp).toSec() <= kRestart) return;
+    entries.clear();
+  }
+  entries.push_back(entry);
+  while ((entries.back().stamp - entries.front().stamp).toSec() > memory_) entries.pop_front();
+}
+
+JointHistory::Match JointHistory::angleAt(size_t joint, const ros::Time& stamp, double max_gap,
+                                          double* angle) const {
+  const std::deque<Entry>& entries = entries_[joint];
+  const auto after = std::lower_bound(entries.begin(), entries.end(), stamp,
                                       [](const Entry& e, const ros::Time& t) { return e.stamp < t; });
-  const Entry* next = after == entries_.end() ? nullptr : &*after;
-  const Entry* last = after == entries_.begin() ? nullptr : &*(after - 1);
+  const Entry* next = after == entries.end() ? nullptr : &*after;
+  const Entry* last = after == entries.begin() ? nullptr : &*(after - 1);
   if (next && next->stamp == stamp) last = next;
   const double to_next = next ? (next->stamp - stamp).toSec() : max_gap + 1;
   const double to_last = last ? (stamp - last->stamp).toSec() : max_gap + 1;
   if (to_next <= max_gap && to_last <= max_gap) {
     const double share = to_last > 0 ? to_last / (to_last + to_next) : 0;
-    *joints = last->joints + share * (next->joints - last->joints);
+    *angle = last->angle + share * (next->angle - last->angle);
     return Match::kBetween;
   }
   if (std::min(to_next, to_last) > max_gap) return Match::kNone;
-  *joints = to_next < to_last ? next->joints : last->joints;
+  *angle = to_next < to_last ? next->angle : last->angle;
   return Match::kNear;
+}
+
+JointHistory::Match JointHistory::at(const ros::Time& stamp, double max_gap, JointVector* joints) const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  Match worst = Match::kBetween;
+  for (size_t k = 0; k < entries_.size(); ++k)
+    worst = std::min(worst, angleAt(k, stamp, max_gap, &(*joints)[int(k)]));
+  return worst;
 }
 
 bool JointHistory::latest(JointVector* joints, ros::Time* stamp) const {
   std::lock_guard<std::mutex> lock(mutex_);
-  if (entries_.empty()) return false;
-  *joints = entries_.back().joints;
-  *stamp = entries_.back().stamp;
+  ros::Time oldest;
+  for (size_t k = 0; k < entries_.size(); ++k) {
+    if (entries_[k].empty()) return false;
+    const Entry& last = entries_[k].back();
+    (*joints)[int(k)] = last.angle;
+    if (k == 0 || last.stamp < oldest) oldest = last.stamp;
+  }
+  *stamp = oldest;
   return true;
 }
 
 std::string JointHistory::problem() const {
   std::lock_guard<std::mutex> lock(mutex_);
-  return problem_;
+  if (!any_) return "no message came";
+  if (!problem_.empty()) return problem_;
+  std::string missing;
+  for (size_t k = 0; k < names_.size(); ++k)
+    if (entries_[k].empty()) missing += (missing.empty() ? "" : ", ") + names_[k];
+  return missing.empty() ? "" : "the messages have no position of " + missing;
 }
 
 }  // namespace monocular_eye_hand

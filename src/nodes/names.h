@@ -16,10 +16,11 @@ constexpr char kOverlay[] = "overlay";      // ~overlay
 constexpr char kRecognize[] = "recognize";  // ~recognize
 
 constexpr char kLocatedObjects[] = "eye_hand/objects";
-constexpr char kPick[] = "pick";    // ~pick
-constexpr char kPlace[] = "place";  // ~place
-constexpr char kMove[] = "move";    // ~move
-constexpr char kPath[] = "path";    // ~path
+constexpr char kPick[] = "pick";        // ~pick
+constexpr char kPlace[] = "place";      // ~place
+constexpr char kMove[] = "move";        // ~move
+constexpr char kRecover[] = "recover";  // ~recover
+constexpr char kPath[] = "path";        // ~path
 
 constexpr char kBestGrasps[] = "best_grasps";      // ~best_grasps
 constexpr char kGraspPoses[] = "grasp_poses";      // ~grasp_poses

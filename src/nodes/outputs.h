@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct WorkedImage {
   std::string only;  ///< the one name looked for, "": all
   RecognitionResult result;
   double seconds = 0;
+  uint64_t restarts = 0;  ///< CameraFrame::restarts
+  ros::Time clock;        ///< CameraFrame::clock
 };
 
 /// ~objects, ~markers, ~overlay and the objects' tf frames.

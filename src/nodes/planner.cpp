@@ -3,6 +3,7 @@
 #include <atomic>
 #include <csignal>
 
+#include "nodes/conversion.h"
 #include "nodes/parameter_server.h"
 #include "nodes/planner_node.h"
 
@@ -21,9 +22,11 @@ int main(int argc, char** argv) {
   try {
     meh::PlannerParameters parameters;
     // actionlib keeps its settings below the names of the actions.
-    meh::readOptions(meh::privateParameters({"pick", "place", "move"}), &parameters);
+    meh::readOptions(meh::privateParameters({"pick", "place", "move", "recover"}), &parameters);
+    parameters.base_frame = meh::withoutSlash(parameters.base_frame);
+    const meh::NodeWatch watch([] { interrupted = true; });
     ros::AsyncSpinner spinner(2);
-    meh::PlannerNode planner(parameters);
+    meh::PlannerNode planner(parameters, watch);
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
     spinner.start();

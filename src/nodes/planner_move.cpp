@@ -43,6 +43,7 @@ WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   } catch (const BadInput& e) {
     return refuse(e.what());
   }
+  recall();
   watch.say("plan", 0);
   const ros::WallTime begin = ros::WallTime::now();
   request.start = start();
@@ -75,6 +76,7 @@ WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   watch.say("plan", 1);
   WorkResult done = plan.planned() ? driveMove(plan, goal.open_gripper ? opening : -1, watch)
                                    : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  if (plan.outcome == MoveOutcome::kStartInCollision) done.reason += "; " + recoverHint();
   done.planning_time = planning_time;
   if (done.outcome == MoveResult::DONE) done.reached = plan.goal;
   return done;
@@ -86,6 +88,7 @@ WorkResult PlannerWork::driveMove(const MovePlan& plan, double opening, const Wo
   Drive drive;
   if (opening >= 0) {
     held_.reset();
+    keepMemory(std::nullopt);
     drive = driver_.openGripper(opening, driveWatch(watch, "open", false));
   }
   for (const Trajectory& motion : plan.motions) {

@@ -13,12 +13,16 @@ namespace monocular_eye_hand {
 namespace {
 
 // One WorkResult serves all three actions.
-constexpr bool same(int a, int b, int c) { return a == b && b == c; }
-static_assert(same(PickResult::DONE, PlaceResult::DONE, MoveResult::DONE));
-static_assert(same(PickResult::UNREACHABLE, PlaceResult::UNREACHABLE, MoveResult::UNREACHABLE));
-static_assert(same(PickResult::IN_COLLISION, PlaceResult::IN_COLLISION, MoveResult::IN_COLLISION));
-static_assert(same(PickResult::CANCELLED, PlaceResult::CANCELLED, MoveResult::CANCELLED));
-static_assert(same(PickResult::FAULT, PlaceResult::FAULT, MoveResult::FAULT));
+constexpr bool same(int a, int b, int c, int d) { return a == b && b == c && c == d; }
+static_assert(same(PickResult::DONE, PlaceResult::DONE, MoveResult::DONE, RecoverResult::DONE));
+static_assert(same(PickResult::UNREACHABLE, PlaceResult::UNREACHABLE, MoveResult::UNREACHABLE,
+                   RecoverResult::UNREACHABLE));
+static_assert(same(PickResult::IN_COLLISION, PlaceResult::IN_COLLISION, MoveResult::IN_COLLISION,
+                   RecoverResult::IN_COLLISION));
+static_assert(same(PickResult::CANCELLED, PlaceResult::CANCELLED, MoveResult::CANCELLED,
+                   RecoverResult::CANCELLED));
+static_assert(same(PickResult::FAULT, PlaceResult::FAULT, MoveResult::FAULT, RecoverResult::FAULT));
+static_assert(int(PickResult::GRASP_LOST) == int(RecoverResult::GRASP_LOST));
 
 template <class Result>
 Result toMessage(const WorkResult& work) {
@@ -40,8 +44,9 @@ WorkResult fault(const std::string& reason) {
 
 }  // namespace
 
-PlannerNode::PlannerNode(const PlannerParameters& parameters)
+PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& node_watch)
     : parameters_(parameters),
+      node_watch_(node_watch),
       work_(parameters),
       private_node_("~"),
       pick_(
@@ -64,6 +69,13 @@ PlannerNode::PlannerNode(const PlannerParameters& parameters)
             run<MoveAction, MoveResult, MoveFeedback>(
                 &move_, names::kMove, [&](const WorkWatch& watch) { return work_.move(*goal, watch); });
           },
+          false),
+      recover_(
+          private_node_, names::kRecover,
+          [this](const RecoverGoalConstPtr&) {
+            run<RecoverAction, RecoverResult, RecoverFeedback>(
+                &recover_, names::kRecover, [&](const WorkWatch& watch) { return work_.recover(watch); });
+          },
           false) {
   path_ = private_node_.advertise<visualization_msgs::Marker>(names::kPath, 1, true);
   objects_subscriber_ = node_.subscribe(names::kLocatedObjects, 10, &PlannerNode::onObjects, this);
@@ -75,6 +87,7 @@ PlannerNode::PlannerNode(const PlannerParameters& parameters)
   pick_.start();
   place_.start();
   move_.start();
+  recover_.start();
 }
 
 PlannerNode::~PlannerNode() { stop(); }
@@ -86,7 +99,7 @@ void PlannerNode::stop() {
 
 void PlannerNode::onObjects(const LocatedObjectArrayConstPtr& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (message->header.frame_id != parameters_.base_frame) {
+  if (withoutSlash(message->header.frame_id) != parameters_.base_frame) {
     ROS_ERROR_THROTTLE(10, "%s is in the frame '%s' and must be in '%s': left out",
                        objects_subscriber_.getTopic().c_str(), message->header.frame_id.c_str(),
                        parameters_.base_frame.c_str());
@@ -185,7 +198,10 @@ void PlannerNode::remember(const char* action, const WorkResult& result) {
 void PlannerNode::robotStatus(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
   const std::string joints = work_.driver().jointSilence(), gripper = work_.driver().gripperSilence();
-  if (!joints.empty())
+  const std::string clock = node_watch_.clockProblem();
+  if (!clock.empty())
+    status.summary(DiagnosticStatus::WARN, clock + " Waits are paused");
+  else if (!joints.empty())
     status.summary(DiagnosticStatus::ERROR, joints);
   else if (!gripper.empty())
     status.summary(DiagnosticStatus::ERROR, gripper);

@@ -2,6 +2,7 @@
 #include <actionlib/server/simple_action_server.h>
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <monocular_eye_hand/LocatedObjectArray.h>
+#include <monocular_eye_hand/RecoverAction.h>
 #include <ros/ros.h>
 
 #include <atomic>
@@ -10,6 +11,7 @@
 #include <mutex>
 #include <string>
 
+#include "nodes/node_watch.h"
 #include "nodes/planner_parameters.h"
 #include "nodes/planner_work.h"
 
@@ -20,8 +22,8 @@ namespace monocular_eye_hand {
 /// more than one thread.
 class PlannerNode {
  public:
-  /// Throws BadInput as PlannerWork does.
-  explicit PlannerNode(const PlannerParameters& parameters);
+  /// Throws BadInput as PlannerWork does. `node_watch` must outlive it.
+  PlannerNode(const PlannerParameters& parameters, const NodeWatch& node_watch);
   ~PlannerNode();
   /// Stops the arm if it moves, waits until it stands, and takes no goal any more.
   void stop();
@@ -44,6 +46,7 @@ class PlannerNode {
   void planningStatus(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const PlannerParameters parameters_;
+  const NodeWatch& node_watch_;
   PlannerWork work_;
   std::atomic<bool> stopping_{false};
   std::mutex busy_;  // held by the action that runs
@@ -60,6 +63,7 @@ class PlannerNode {
   Server<PickAction> pick_;
   Server<PlaceAction> place_;
   Server<MoveAction> move_;
+  Server<RecoverAction> recover_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
 };

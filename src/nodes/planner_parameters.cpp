@@ -1,7 +1,6 @@
 #include "nodes/planner_parameters.h"
 
 #include <cmath>
-#include <set>
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -33,12 +32,6 @@ void requireShare(const char* field, double value, double most) {
 void PlannerTable::check() const {
   requireFinite("x", x), requireFinite("y", y), requireFinite("z", z), requireFinite("yaw", yaw);
   requirePositive("length", length), requirePositive("width", width), requirePositive("thickness", thickness);
-}
-
-void PlannerBox::check() const {
-  if (name.empty()) throw BadInput("name is empty: every box needs one, for messages");
-  for (double value : {x, y, z, roll, pitch, yaw}) requireFinite("pose", value);
-  for (double value : size) requirePositive("size", value);
 }
 
 void DropPlace::check() const { requireFinite("x", x), requireFinite("y", y), requireFinite("yaw", yaw); }
@@ -95,9 +88,7 @@ void PlannerParameters::check() const {
   require(drop_above > drop_gap, "drop_above", drop_above, "more than drop_gap");
   requirePositive("feedback_period", feedback_period),
       requirePositive("diagnostic_period", diagnostic_period);
-  std::set<std::string> names{"table"};
-  for (const PlannerBox& box : boxes)
-    if (!names.insert(box.name).second) throw BadInput("boxes: the name '" + box.name + "' stands twice");
+  requireOwnNames(boxes);
 }
 
 }  // namespace monocular_eye_hand

@@ -1,10 +1,10 @@
 #pragma once
-#include <array>
 #include <string>
 #include <vector>
 
 #include "monocular_eye_hand/arm/puma560.h"
 #include "monocular_eye_hand/planning/options.h"
+#include "nodes/cell_box.h"
 
 namespace monocular_eye_hand {
 
@@ -18,20 +18,6 @@ struct PlannerTable {
   void visit(Visitor&& v) {
     v("x", x), v("y", y), v("z", z), v("yaw", yaw);
     v("length", length), v("width", width), v("thickness", thickness);
-  }
-};
-
-/// Something else that stands in the cell.
-struct PlannerBox {
-  std::string name;
-  double x = 0, y = 0, z = 0, roll = 0, pitch = 0, yaw = 0;  ///< middle in base_link [m, rad]
-  std::array<double, 3> size{{0, 0, 0}};                     ///< along its x, y, z [m]
-
-  void check() const;
-  template <class Visitor>
-  void visit(Visitor&& v) {
-    v("name", name), v("x", x), v("y", y), v("z", z), v("roll", roll), v("pitch", pitch), v("yaw", yaw);
-    v("size", size);
   }
 };
 
@@ -83,10 +69,10 @@ struct FollowOptions {
 /// How arm and gripper are driven.
 struct ExecutionOptions {
   double start_tolerance = 0.01;   ///< a kept plan is used when every joint is so near to its start [rad]
-  double joint_silence = 2.0;      ///< joint_states must not be silent for longer [s, wall clock]
+  double joint_silence = 2.0;      ///< joint_states must not be silent for longer [s, Moment]
   double gripper_silence = 2.0;    ///< nor gripper/state
-  double gripper_timeout = 10.0;   ///< longest way of the fingers [s, wall clock]
-  double stop_timeout = 5.0;       ///< the arm must stand so long after it was told to stop [s, wall clock]
+  double gripper_timeout = 10.0;   ///< longest way of the fingers [s, Moment]
+  double stop_timeout = 5.0;       ///< the arm must stand so long after it was told to stop [s, Moment]
   double squeeze = 0.01;           ///< the gripper is told to close so much further than the part is wide [m]
   double width_tolerance = 0.004;  ///< a part is held when the width is that of the part, so exactly [m]
   double open_tolerance = 0.001;  ///< the gripper is open when its width is the commanded one, so exactly [m]
@@ -108,7 +94,7 @@ struct PlannerParameters {
   std::string urdf;                      ///< path of the arm's URDF; required
   std::string base_frame = "base_link";  ///< of all poses
   PlannerTable table;
-  std::vector<PlannerBox> boxes;
+  std::vector<CellBox> boxes;
   DropZone drop_zone;
   double drop_gap = 0.001;         ///< a part is let go so far above where it stood on the table [m]
   double drop_above = 0.1;         ///< the straight way down to its place [m]

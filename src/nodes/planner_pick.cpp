@@ -41,7 +41,7 @@ constexpr double kRecheck = 0.005;  // step of a kept plan that is tested again 
 }  // namespace
 
 SceneObject PlannerWork::checked(const PickGoal& goal, PickTarget* target) const {
-  if (goal.target.header.frame_id != parameters_.base_frame)
+  if (withoutSlash(goal.target.header.frame_id) != parameters_.base_frame)
     throw BadInput("target.header.frame_id is '" + goal.target.header.frame_id + "' and must be '" +
                    parameters_.base_frame + "', the arm's base");
   if (!scene_.knows(goal.target.name))
@@ -69,8 +69,11 @@ WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
                                                ", counted from 0");
   if (!seen_)
     return result(PickResult::FAULT, "nothing came on eye_hand/objects yet: what stands around is not known");
-  if (held_ && lost(driver_.gripper()).empty())
-    return result(PickResult::FAULT, "the gripper holds " + held_->object.label() + ": place it first");
+  recall();
+  const GripperState gripper = driver_.gripper();
+  if (held_ && lost(gripper).empty())
+    return result(PickResult::FAULT,
+                  "the gripper holds " + held_->object.label() + ": place it first; " + recoverHint());
   held_.reset();
   watch.say("plan", 0);
   const ros::WallTime begin = ros::WallTime::now();
@@ -96,13 +99,13 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, con
   CollisionWorld world = scene_.world(object, place);
   planned.refused = sweep(world, joints, driver_.gripper().width, target.open_width);
   if (!planned.refused.empty()) {
-    planned.refused = "opening the gripper where it stands: " + planned.refused;
+    planned.refused = "opening the gripper where it stands: " + planned.refused + "; " + recoverHint();
     return planned;
   }
   world.setGripperWidth(target.open_width);
   planned.departure = planDeparture(arm_, world, joints, touching(world), parameters_.planning);
   if (!planned.departure.possible) {
-    planned.refused = planned.departure.reason;
+    planned.refused = planned.departure.reason + "; " + recoverHint();
     return planned;
   }
   PickRequest& request = planned.kept.request;
@@ -147,7 +150,10 @@ WorkResult PlannerWork::drivePick(const SceneObject& object, const PlannedPick& 
   drive = driver_.follow(motions[1].trajectory, driveWatch(watch, "approach", false));
   if (drive.done()) drive = closeOn(object, planned.kept, driveWatch(watch, "close", false));
   if (drive.done()) drive = driver_.follow(motions[2].trajectory, driveWatch(watch, "lift", true));
-  if (drive.end == DriveEnd::kLost) held_.reset();
+  if (drive.end == DriveEnd::kLost) {
+    held_.reset();
+    keepMemory(std::nullopt);
+  }
   if (held_ && !drive.done()) held_->kept.reset();
   if (drive.done()) visit_ = {};
   return result(drive);
@@ -155,6 +161,7 @@ WorkResult PlannerWork::drivePick(const SceneObject& object, const PlannedPick& 
 
 Drive PlannerWork::closeOn(const SceneObject& object, const KeptPlan& kept, const DriveWatch& watch) {
   const PickTarget& target = kept.request.target;
+  keepMemory(PickMemory{object, target, ros::Time::now().toSec()});  // before: a crash may come at any time
   const Drive drive =
       driver_.closeGripper(std::max(0.0, target.grip_width - parameters_.execution.squeeze), watch);
   if (drive.end == DriveEnd::kFault) return drive;
@@ -166,13 +173,8 @@ Drive PlannerWork::closeOn(const SceneObject& object, const KeptPlan& kept, cons
          << " and " << object.label() << " is " << target.grip_width * 1e3 << " mm wide there";
     return {DriveEnd::kLost, text.str()};
   }
-  Held held;
-  held.object = object;
-  held.target = target;
-  held.tcp_from_object = target.base_from_tcp_grasp.inverse() * object.base_from_object;
-  held.width = state.width;
-  held.kept = kept;
-  held_ = held;
+  hold(object, target, state.width);
+  held_->kept = kept;
   scene_.takeAway(object);
   return drive;
 }
@@ -189,7 +191,7 @@ bool PlannerWork::keptFits(int place, const JointVector& joints) const {
   return true;
 }
 
-PickPlan PlannerWork::planThePlace(int place, const JointVector& joints) const {
+PickPlan PlannerWork::planThePlace(int place, const JointVector& joints, bool free) const {
   PlaceRequest request;
   request.start = joints;
   request.object = held_->object.label();
@@ -200,7 +202,8 @@ PickPlan PlannerWork::planThePlace(int place, const JointVector& joints) const {
   request.drops = dropTargets(
       places_[size_t(place)], footprintOf(scene_.mesh(held_->object.name), held_->object.base_from_object),
       held_->target.base_from_tcp_grasp, parameters_.drop_gap, parameters_.drop_above);
-  return planPlace(arm_, scene_.world(held_->object, place, inHand(joints)), request, parameters_.planning);
+  const CollisionWorld world = scene_.world(held_->object, free ? place : -1, inHand(joints));
+  return planPlace(arm_, world, request, parameters_.planning);
 }
 
 WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
@@ -209,7 +212,12 @@ WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
     return result(PickResult::UNREACHABLE, "there is no place " + std::to_string(goal.place) +
                                                ": the drop zone has " + std::to_string(places_.size()) +
                                                ", counted from 0");
-  if (!held_) return result(PickResult::GRASP_LOST, "the gripper holds nothing that was picked");
+  recall();
+  if (!held_)
+    return result(
+        PickResult::GRASP_LOST,
+        "the gripper holds nothing that was picked" +
+            (holdsSomething(driver_.gripper()) ? ", and is not empty: " + recoverHint() : std::string()));
   if (const std::string gone = lost(driver_.gripper()); !gone.empty()) {
     held_.reset();
     return result(PickResult::GRASP_LOST, gone);
@@ -229,6 +237,7 @@ WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   watch.say("plan", 1);
   WorkResult done = plan.planned() ? drivePlace(goal.place, plan.motions, watch)
                                    : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  if (plan.outcome == PickOutcome::kStartInCollision) done.reason += "; " + recoverHint();
   done.planning_time = planning_time;
   return done;
 }
@@ -254,6 +263,7 @@ WorkResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& mot
   drive = driver_.openGripper(opening, driveWatch(watch, "open", false));
   if (drive.end == DriveEnd::kFault) return result(drive);
   held_.reset();
+  keepMemory(std::nullopt);
   scene_.putDown(place, object);
   if (drive.done()) drive = driver_.follow(motions.back().trajectory, driveWatch(watch, "retreat", false));
   if (drive.done()) visit_ = {};

@@ -7,16 +7,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-Rigid3 poseOf(double x, double y, double z, double roll, double pitch, double yaw) {
-  Rigid3 pose;
-  pose.rotation =
-      (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
-       Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
-          .toRotationMatrix();
-  pose.translation = {x, y, z};
-  return pose;
-}
-
 std::string placeLabel(const SceneObject& object, int place) {
   return object.name + " at place " + std::to_string(place);
 }
@@ -26,9 +16,8 @@ CollisionWorld fixedWorld(const ArmDescription& arm, const PlannerParameters& pa
   const PlannerTable& table = parameters.table;
   world.addBox("table", {table.length, table.width, table.thickness},
                poseOf(table.x, table.y, table.z - table.thickness / 2, 0, 0, table.yaw));
-  for (const PlannerBox& box : parameters.boxes)
-    world.addBox(box.name, {box.size[0], box.size[1], box.size[2]},
-                 poseOf(box.x, box.y, box.z, box.roll, box.pitch, box.yaw));
+  for (const CellBox& box : parameters.boxes)
+    world.addBox(box.name, {box.size[0], box.size[1], box.size[2]}, box.baseFromBox());
   return world;
 }
 
@@ -37,17 +26,31 @@ CollisionWorld fixedWorld(const ArmDescription& arm, const PlannerParameters& pa
 PlannerScene::PlannerScene(const ArmDescription& arm, const PlannerParameters& parameters)
     : bare_(fixedWorld(arm, parameters)) {
   for (const ObjectEntry& entry : readObjectEntries(parameters.objects)) {
-    Shape shape;
     ModelOptions welded = entry.options;
     welded.find_symmetries = false;
-    shape.mesh = buildModel(entry.name, loadMesh(entry.mesh, entry.unit), welded).mesh;
-    Eigen::AlignedBox3d bounds;
-    for (const Eigen::Vector3d& vertex : shape.mesh.vertices) bounds.extend(vertex);
-    shape.centre = bounds.center();
-    shape.radius = bounds.diagonal().norm() / 2;
-    shape.smallest = bounds.sizes().minCoeff();
-    meshes_.emplace(entry.name, std::move(shape));
+    meshes_.emplace(entry.name,
+                    shapeOf(buildModel(entry.name, loadMesh(entry.mesh, entry.unit), welded).mesh));
   }
+}
+
+PlannerScene::Shape PlannerScene::shapeOf(Mesh mesh) {
+  Shape shape;
+  Eigen::AlignedBox3d bounds;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) bounds.extend(vertex);
+  shape.mesh = std::move(mesh);
+  shape.centre = bounds.center();
+  shape.radius = bounds.diagonal().norm() / 2;
+  shape.smallest = bounds.sizes().minCoeff();
+  return shape;
+}
+
+void PlannerScene::learnBox(const std::string& name, const Eigen::Vector3d& size) {
+  Mesh box;
+  for (int k = 0; k < 8; ++k)
+    box.vertices.push_back(size.cwiseProduct(Eigen::Vector3d(k & 1, k >> 1 & 1, k >> 2)) - size / 2);
+  box.triangles = {{{0, 2, 1}}, {{1, 2, 3}}, {{4, 5, 6}}, {{5, 7, 6}}, {{0, 1, 4}}, {{1, 5, 4}},
+                   {{2, 6, 3}}, {{3, 6, 7}}, {{0, 4, 2}}, {{2, 4, 6}}, {{1, 3, 5}}, {{3, 7, 5}}};
+  meshes_.insert_or_assign(name, shapeOf(std::move(box)));
 }
 
 std::string PlannerScene::names() const {

@@ -28,6 +28,8 @@ class PlannerScene {
 
   bool knows(const std::string& name) const { return meshes_.count(name) > 0; }
   std::string names() const;  ///< "bridge, grenade, ..." for messages
+  /// A box around its own origin, for something that is not in the model base.
+  void learnBox(const std::string& name, const Eigen::Vector3d& size);
   const Mesh& mesh(const std::string& name) const { return meshes_.at(name).mesh; }
   /// All that eye-hand knows now; objects that are not in the model base are left out and returned by name.
   std::vector<std::string> see(const std::vector<SceneObject>& objects);
@@ -53,6 +55,7 @@ class PlannerScene {
     Eigen::Vector3d centre;
     double radius = 0, smallest = 0;  // half the bounding box's diagonal, its smallest side [m]
   };
+  static Shape shapeOf(Mesh mesh);
   Eigen::Vector3d centre(const SceneObject& object) const;
   bool same(const SceneObject& a, const SceneObject& b) const;
   bool standsAt(const SceneObject& other, const SceneObject& remembered) const;

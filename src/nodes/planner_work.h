@@ -2,6 +2,7 @@
 #include <monocular_eye_hand/MoveAction.h>
 #include <monocular_eye_hand/PickAction.h>
 #include <monocular_eye_hand/PlaceAction.h>
+#include <monocular_eye_hand/RecoverAction.h>
 
 #include <functional>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "monocular_eye_hand/planning/move_planner.h"
 #include "nodes/drop_places.h"
+#include "nodes/planner_memory.h"
 #include "nodes/planner_scene.h"
 #include "nodes/robot_driver.h"
 
@@ -45,6 +47,8 @@ class PlannerWork {
   WorkResult pick(const PickGoal& goal, const WorkWatch& watch);
   WorkResult place(const PlaceGoal& goal, const WorkWatch& watch);
   WorkResult move(const MoveGoal& goal, const WorkWatch& watch);
+  /// Backs off, puts down what is held, opens; the reason says what was done.
+  WorkResult recover(const WorkWatch& watch);
   std::string held() const { return held_ ? held_->object.label() : ""; }
 
  private:
@@ -86,11 +90,21 @@ class PlannerWork {
   WorkResult drivePick(const SceneObject& object, const PlannedPick& planned, const WorkWatch& watch);
   Drive closeOn(const SceneObject& object, const KeptPlan& kept, const DriveWatch& watch);
   bool keptFits(int place, const JointVector& joints) const;
-  PickPlan planThePlace(int place, const JointVector& joints) const;
+  /// `free`: the caller says that nothing stands at the place; else it must be known to be free.
+  PickPlan planThePlace(int place, const JointVector& joints, bool free = true) const;
   WorkResult drivePlace(int place, const std::vector<PickMotion>& motions, const WorkWatch& watch);
   WorkResult driveMove(const MovePlan& plan, double opening, const WorkWatch& watch);
   std::string lost(const GripperState& state) const;
   std::optional<SceneObject> inHand(const JointVector& joints) const;
+
+  static std::string recoverHint();
+  bool holdsSomething(const GripperState& gripper) const;
+  void recall();
+  void hold(const SceneObject& object, const PickTarget& target, double width);
+  void holdUnknown(const GripperState& gripper, const JointVector& joints);
+  CollisionWorld worldNow(const JointVector& joints, double gripper_width) const;
+  WorkResult putDownSomewhere(const WorkWatch& watch, std::string* said);
+  WorkResult openHere(const WorkWatch& watch, std::string* said);
   DriveWatch driveWatch(const WorkWatch& watch, const std::string& stage, bool holding) const;
 
   const PlannerParameters parameters_;
@@ -99,7 +113,7 @@ class PlannerWork {
   const std::vector<DropPlace> places_;
   PlannerScene scene_;
   RobotDriver driver_;
-  bool seen_ = false;
+  bool seen_ = false, recalled_ = false;
   std::optional<Held> held_;
   Visit visit_;
 };

@@ -1,6 +1,7 @@
 #include <ros/ros.h>
 
 #include "monocular_eye_hand/model/model_base.h"
+#include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
 #include "nodes/recognizer_node.h"
 
@@ -9,6 +10,7 @@ namespace meh = monocular_eye_hand;
 int main(int argc, char** argv) {
   ros::init(argc, argv, "recognizer");
   ros::NodeHandle node;  // keeps the node up
+  const meh::NodeWatch watch;
   try {
     meh::RecognizerParameters parameters;
     // image_transport's plugins keep their settings below the name of the topic they publish.

@@ -6,13 +6,15 @@
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/recognition/size_check.h"
 #include "nodes/camera_info.h"
+#include "nodes/conversion.h"
 #include "nodes/grey_image.h"
 #include "nodes/names.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kServiceThreads = 4;  // calls that wait at the same time; more wait in line
+constexpr int kServiceThreads = 32;  // calls that wait at the same time; more wait in line
+constexpr double kRestart = 1.0;     // time that goes back by more begins again [s]
 
 ros::NodeHandle privateNodeOn(ros::CallbackQueue* queue) {
   ros::NodeHandle node("~");
@@ -53,7 +55,8 @@ RecognizerNode::RecognizerNode(const Recognizer& recognizer, const RecognizerPar
       parameters_(parameters),
       outputs_(recognizer.models(), parameters),
       input_(parameters.rectified ? ImageKind::kRectified : ImageKind::kRaw, parameters.image_transport),
-      diagnostics_(input_, parameters.diagnostic_period),
+      diagnostics_(input_, parameters.diagnostic_period,
+                   [this] { return !parameters_.on_request || !requests_.empty(); }),
       service_node_(privateNodeOn(&service_queue_)),
       service_spinner_(kServiceThreads, &service_queue_) {
   worker_ = std::thread(&RecognizerNode::work, this);
@@ -124,7 +127,10 @@ void RecognizerNode::warnAboutCamera(const Camera& camera) {
 WorkedImage RecognizerNode::prepare(const CameraFrame& frame) const {
   WorkedImage image;
   image.header = frame.image->header;
-  if (!parameters_.camera_frame.empty()) image.header.frame_id = parameters_.camera_frame;
+  image.header.frame_id = withoutSlash(image.header.frame_id);
+  image.restarts = frame.restarts;
+  image.clock = frame.clock;
+  if (!parameters_.camera_frame.empty()) image.header.frame_id = withoutSlash(parameters_.camera_frame);
   if (image.header.frame_id.empty())
     throw BadImage(
         "header.frame_id is empty: set the frame in the camera's driver, or the parameter camera_frame");
@@ -145,6 +151,10 @@ Recognize::Response RecognizerNode::search(WorkedImage image, const std::string&
   image.only = only;
   image.result = recognizer_.recognize(image.grey, image.camera, request);
   image.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (fromBeforeRestart(image)) {
+    ROS_INFO("time went back while an image was worked on: its results are dropped");
+    return reply(Recognize::Response::FAILED, "time went back while the image was worked on: ask again");
+  }
   diagnostics_.worked(image.seconds, image.result.objects.size(), image.result.reason,
                       image.result.truncated);
   Recognize::Response response;
@@ -154,6 +164,16 @@ Recognize::Response RecognizerNode::search(WorkedImage image, const std::string&
   response.status = Recognize::Response::FOUND;
   response.text = foundText(response.objects);
   return response;
+}
+
+/// Its results would lie in the future of everything that comes, and hold up who listens to tf.
+bool RecognizerNode::fromBeforeRestart(const WorkedImage& image) const {
+  if (image.restarts != input_.restarts()) return true;
+  const ros::Time now = ros::Time::now();
+  if (!ros::Time::isSimTime() || now.isZero()) return false;
+  const bool clock_went_back = (image.clock - now).toSec() > kRestart;
+  const bool late = (image.header.stamp - now).toSec() > kRestart && !input_.stampsInFuture();
+  return clock_went_back || late;
 }
 
 bool RecognizerNode::onRecognize(Recognize::Request& request, Recognize::Response& response) {

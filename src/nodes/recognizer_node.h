@@ -35,6 +35,7 @@ class RecognizerNode {
   Recognize::Response search(WorkedImage image, const std::string& only, bool publish);
   bool onRecognize(Recognize::Request& request, Recognize::Response& response);
   std::string noImageText() const;
+  bool fromBeforeRestart(const WorkedImage& image) const;
 
   const Recognizer& recognizer_;
   const RecognizerParameters parameters_;

@@ -15,11 +15,12 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr auto kPoll = std::chrono::milliseconds(10);
+constexpr double kLongestStop = 2;   // in stop_timeouts of the wall clock, when the clock stands
 constexpr double kStalledFor = 1.0;  // fingers that begin to open may still be said to be stalled [s, cell]
 
-std::string silence(const char* topic, const ros::WallTime& last, double longest) {
-  if (last.isZero()) return std::string("no ") + topic + " yet: does the driver of the arm run?";
-  const double since = (ros::WallTime::now() - last).toSec();
+std::string silence(const char* topic, const Moment& last, double longest) {
+  if (last.never()) return std::string("no ") + topic + " yet: does the driver of the arm run?";
+  const double since = last.since();
   if (since <= longest) return "";
   std::ostringstream text;
   text.precision(3);
@@ -38,16 +39,17 @@ RobotDriver::RobotDriver(const ExecutionOptions& options, double feedback_period
 }
 
 void RobotDriver::onJoints(const sensor_msgs::JointState& message) {
-  ArmState state;
-  if (!armState(message, &state)) return;  // another device's message
   const std::lock_guard<std::mutex> lock(mutex_);
+  const std::optional<ArmState> told = arm_states_.add(message, ros::Time::now().toSec());
+  if (!told) return;  // another device's message, or not yet all of the arm
+  const ArmState& state = *told;
   const double dt = state_ ? state.stamp - state_->stamp : 0;
   if (state.has_speeds)
     speed_ = state.speeds.cwiseAbs().maxCoeff();
   else if (dt > 0)
     speed_ = (state.joints - state_->joints).cwiseAbs().maxCoeff() / dt;
   state_ = state;
-  joints_at_ = ros::WallTime::now();
+  joints_at_ = Moment::now();
   if (follower_) follower_->update(state.stamp, state.joints, speed_);
   changed_.notify_all();
 }
@@ -55,7 +57,7 @@ void RobotDriver::onJoints(const sensor_msgs::JointState& message) {
 void RobotDriver::onGripper(const GripperState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   gripper_ = message;
-  gripper_at_ = ros::WallTime::now();
+  gripper_at_ = Moment::now();
   changed_.notify_all();
 }
 
@@ -107,12 +109,15 @@ std::string RobotDriver::stop() {
   trajectory_msgs::JointTrajectory nothing;
   nothing.joint_names.assign(std::begin(names::kArmJoints), std::end(names::kArmJoints));
   arm_command_.publish(nothing);
-  const ros::WallTime begin = ros::WallTime::now();
+  const Moment begin = Moment::now();
+  const ros::WallTime told_at = ros::WallTime::now();
   std::unique_lock<std::mutex> lock(mutex_);
   const double from = std::max(told.toSec(), state_ ? state_->stamp + 1e-6 : 0.0);
   while (ros::ok()) {
     if (state_ && state_->stamp >= from && speed_ <= options_.follow.stand_speed) return "";
-    if ((ros::WallTime::now() - begin).toSec() > options_.stop_timeout) break;
+    // Whoever cancels while the clock stands, or ends the node, does not wait for ever.
+    const double wall = (ros::WallTime::now() - told_at).toSec();
+    if (begin.since() > options_.stop_timeout || wall > kLongestStop * options_.stop_timeout) break;
     changed_.wait_for(lock, kPoll);
   }
   const std::string silent = silentJoints();
@@ -177,7 +182,7 @@ Drive RobotDriver::closeGripper(double width, const DriveWatch& watch) {
 
 Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& watch) {
   const ros::Time start = ros::Time::now();
-  const ros::WallTime begin = ros::WallTime::now();
+  const Moment begin = Moment::now();
   if (watch.feedback) watch.feedback(0);
   std_msgs::Float64 command;
   command.data = width;
@@ -198,7 +203,7 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
     if (since > kStalledFor && !closing && !state.moving && state.stalled)
       return fault("something keeps the fingers from opening: they are stalled at " +
                    std::to_string(state.width * 1e3) + " mm");
-    if ((ros::WallTime::now() - begin).toSec() > options_.gripper_timeout)
+    if (begin.since() > options_.gripper_timeout)
       return fault("the gripper did not go to " + std::to_string(width * 1e3) + " mm in time: it stands at " +
                    std::to_string(state.width * 1e3) + " mm");
     changed_.wait_for(lock, kPoll);

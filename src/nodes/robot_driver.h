@@ -10,6 +10,7 @@
 #include <string>
 
 #include "nodes/arm_state.h"
+#include "nodes/moment.h"
 #include "nodes/planner_conversion.h"
 #include "nodes/trajectory_follower.h"
 
@@ -73,7 +74,8 @@ class RobotDriver {
   std::optional<ArmState> state_;
   double speed_ = 0;  // of the fastest joint [rad/s]
   std::optional<GripperState> gripper_;
-  ros::WallTime joints_at_, gripper_at_;
+  ArmStates arm_states_;
+  Moment joints_at_, gripper_at_;
   std::optional<TrajectoryFollower> follower_;
   double motion_time_ = 0;
   ros::NodeHandle node_;

@@ -3,27 +3,48 @@
 #include "nodes/eye_hand_conversion.h"
 
 namespace monocular_eye_hand {
+namespace {
+
+constexpr double kRestart = 1.0;  // stamps that go back by more begin again [s]
+
+}  // namespace
 
 SharedMap::SharedMap(const ModelBase& models, const ObjectMapOptions& options, const std::string& base_frame)
-    : base_frame_(base_frame), map_(&models, options) {}
+    : models_(models), base_frame_(base_frame), map_(&models, options) {}
 
-ViewReport SharedMap::add(const ObjectView& view, const ros::Time& stamp) {
+SharedMap::Added SharedMap::add(const ObjectView& view, const ros::Time& stamp) {
   std::lock_guard<std::mutex> lock(mutex_);
-  ViewReport report;
-  if (stamp < not_before_)
+  Added added;
+  ViewReport& report = added.report;
+  if ((newest_ - stamp).toSec() > kRestart) {
+    added.went_back = (newest_ - stamp).toSec();
+    clearAll();
+  }
+  added.before_forget = stamp < not_before_;
+  if (added.before_forget)
     report.refused = "the view is older than the last ~forget";
   else
     report = map_.add(view);
   refused_ = report.refused;
-  if (!report.refused.empty()) return report;
-  stamp_ = stamp;
+  if (!report.refused.empty()) return added;
+  stamp_ = newest_ = stamp;
+  table_height_ = view.known.table_height;
+  ruled_out_ = ruledOut(report);
   std::map<std::pair<int, int>, ros::Time> stamps;
   for (const MappedObject& object : map_.objects()) {
     const std::pair<int, int> key(object.object, object.number);
     stamps[key] = object.last_stamp == view.stamp ? stamp : stamps_[key];
   }
   stamps_ = std::move(stamps);
-  return report;
+  return added;
+}
+
+std::vector<std::string> SharedMap::ruledOut(const ViewReport& report) const {
+  std::vector<std::string> texts;
+  for (const ViewDecision& decision : report.decisions)
+    if (decision.impossible)
+      texts.push_back(models_.objects.at(size_t(decision.object)).model.name + ": " + decision.reason);
+  return texts;
 }
 
 void SharedMap::refuse(const std::string& reason) {
@@ -39,6 +60,8 @@ KnownObjects SharedMap::known() const {
     known.messages.push_back(toMessage(object, stamps_.at({object.object, object.number}), base_frame_));
   known.stamp = stamp_;
   known.refused = refused_;
+  known.ruled_out = ruled_out_;
+  known.table_height = table_height_;
   return known;
 }
 
@@ -47,7 +70,7 @@ int SharedMap::forget(int object, int instance, const ros::Time& now) {
   if (object < 0) {
     const int all = int(map_.objects().size());
     map_.clear();  // the stamps of views may start again, too
-    not_before_ = ros::Time();
+    not_before_ = newest_ = ros::Time();
     return all;
   }
   int forgotten = 0;
@@ -60,9 +83,14 @@ int SharedMap::forget(int object, int instance, const ros::Time& now) {
 
 void SharedMap::clear() {
   std::lock_guard<std::mutex> lock(mutex_);
+  clearAll();
+}
+
+void SharedMap::clearAll() {
   map_.clear();
   stamps_.clear();
-  stamp_ = not_before_ = ros::Time();
+  ruled_out_.clear();
+  stamp_ = newest_ = not_before_ = ros::Time();
 }
 
 }  // namespace monocular_eye_hand

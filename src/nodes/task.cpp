@@ -4,6 +4,8 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "nodes/conversion.h"
+#include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
 #include "nodes/task_messages.h"
 #include "nodes/task_world.h"
@@ -34,6 +36,8 @@ class TaskNode {
     if (placed.outcome == TaskPickOutcome::kDone) return result;
     if (placed.outcome == TaskPickOutcome::kCancelled) result.outcome = TaskOutcome::kCancelled;
     result.reason = "the gripper is not empty, and what it holds cannot be put down: " + placed.reason;
+    if (placed.outcome != TaskPickOutcome::kCancelled)
+      result.reason += " (a goal to " + ros::names::resolve("planner/recover") + " puts it down and opens)";
     return result;
   }
 
@@ -83,9 +87,11 @@ namespace meh = monocular_eye_hand;
 int main(int argc, char** argv) {
   ros::init(argc, argv, "task");
   ros::NodeHandle node;  // keeps the node up
+  const meh::NodeWatch watch;
   try {
     meh::TaskParameters parameters;
     meh::readOptions(meh::privateParameters({}), &parameters);
+    parameters.base_frame = meh::withoutSlash(parameters.base_frame);
     const meh::ModelBase models = meh::loadModelBase(parameters.objects, {}, parameters.cache);
     ros::AsyncSpinner spinner(2);  // topics and answers arrive while the task waits for them
     spinner.start();

@@ -21,6 +21,8 @@ uint8_t code(ObjectOutcome outcome) {
       return ClearedObject::HELD;
     case ObjectOutcome::kDropped:
       return ClearedObject::DROPPED;
+    case ObjectOutcome::kDoubt:
+      return ClearedObject::DOUBT;
   }
   return ClearedObject::LEFT;
 }

@@ -17,11 +17,11 @@ struct TaskParameters {
   /// Where the frame stands, about: the first overview looks there [m, base].
   std::array<double, 3> centre{{0.55, 0, 0.31}};
   double settle = 0.15;          ///< the camera stands so long before an image counts [s]
-  double look_timeout = 30;      ///< longest wait for the image's objects [s, wall clock]
-  double answer_timeout = 10;    ///< ... for a service or a node to appear [s, wall clock]
-  double motion_timeout = 120;   ///< ... for the result of an action of the planner [s, wall clock]
+  double look_timeout = 30;      ///< longest wait for the image's objects [s, Moment]
+  double answer_timeout = 10;    ///< ... for a service or a node to appear [s, Moment]
+  double motion_timeout = 120;   ///< ... for the result of an action of the planner [s, Moment]
   double holding_width = 0.002;  ///< a gripper that closed further holds nothing [m]
-  double state_max_age = 5;      ///< joint and gripper states older than this are none [s, wall clock]
+  double state_max_age = 5;      ///< joint and gripper states older than this are none [s, Moment]
   CameraViewOptions views;
   ClearFrameOptions clear_frame;
   Puma560Options arm;

@@ -1,5 +1,6 @@
 #include "nodes/task_world.h"
 
+#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -21,8 +22,9 @@ const char kPick[] = "planner/pick";
 const char kPlace[] = "planner/place";
 const char kMove[] = "planner/move";
 const ros::WallDuration kPoll(0.05), kTick(0.005);
-constexpr double kSlowTopic = 0.2;       // the objects may come so much later than the answer [s, wall clock]
-constexpr double kSlowEyeHand = 1.0;     // ... and their view after them
+constexpr std::chrono::milliseconds kSlowTopic(200);     // the objects may come so much later than the answer
+constexpr std::chrono::milliseconds kSlowEyeHand(1000);  // ... and their view after them
+constexpr double kGone = 3.0;            // a recogniser that is not there for so long is told [s]
 constexpr int kRefusedViews = 3;         // in a row: waiting on helps no more
 const ros::Duration kOneClock(86400.0);  // stamps of one clock do not lie further apart
 
@@ -58,21 +60,6 @@ std::string seconds(const ros::Time& stamp) {
   return text.str();
 }
 
-/// Something that goes on beside this scope, and is told when that is enough.
-class Beside {
- public:
-  template <class Work>
-  explicit Beside(Work work) : thread_([this, work] { work(enough_); }) {}
-  ~Beside() {
-    enough_ = true;
-    thread_.join();
-  }
-
- private:
-  std::atomic<bool> enough_{false};
-  std::thread thread_;
-};
-
 /// Sends a goal and waits for its result. A cancelled task cancels the goal and waits on: the planner stops
 /// the arm and says so.
 template <class Client, class Goal>
@@ -82,20 +69,22 @@ TaskPick execute(Client* client, const char* action, const Goal& goal, const Tas
   const auto fault = [&](const std::string& what) {
     return TaskPick{TaskPickOutcome::kFault, "the action " + called + " " + what};
   };
-  const ros::WallTime begin = ros::WallTime::now();
+  const Moment begin = Moment::now();
   while (!client->isServerConnected()) {
     if (cancelled()) return {TaskPickOutcome::kCancelled, "cancelled"};
-    if (ros::WallTime::now() - begin > ros::WallDuration(parameters.answer_timeout))
+    if (begin.since() > parameters.answer_timeout)
       return fault("does not answer: is the node planner running?");
     kPoll.sleep();
   }
   client->sendGoal(goal);
   bool asked_to_stop = false;
-  const ros::WallTime sent = ros::WallTime::now();
+  const Moment sent = Moment::now();
   while (!client->getState().isDone()) {
     if (cancelled() && !asked_to_stop) client->cancelGoal(), asked_to_stop = true;
-    if (!client->isServerConnected()) return fault("went away while it worked");
-    if (ros::WallTime::now() - sent > ros::WallDuration(parameters.motion_timeout)) {
+    if (!client->isServerConnected())
+      return fault("went away while it worked: start the node planner again; a goal to " +
+                   ros::names::resolve("planner/recover") + " then puts down what the gripper holds");
+    if (sent.since() > parameters.motion_timeout) {
       client->cancelGoal();
       return fault("took longer than motion_timeout = " + std::to_string(parameters.motion_timeout) + " s");
     }
@@ -135,6 +124,21 @@ RosTaskWorld::RosTaskWorld(const ModelBase* models, const TaskParameters& parame
   recognize_ = node_.serviceClient<Recognize>(names::kAskRecognizer);
   grasp_targets_ = node_.serviceClient<GraspTargets>(kGraspTargets);
   forget_ = node_.serviceClient<ForgetObject>(kForget);
+  asker_ = std::thread(&RosTaskWorld::askRecognizer, this);
+}
+
+RosTaskWorld::~RosTaskWorld() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ending_ = true;
+  }
+  asked_.notify_all();
+  asker_.join();
+}
+
+void RosTaskWorld::wait(double seconds) {
+  const Moment begin = Moment::now();
+  while (!cancelled_() && begin.since() < seconds) kPoll.sleep();
 }
 
 void RosTaskWorld::objectsCallback(const LocatedObjectArray& message) {
@@ -146,32 +150,33 @@ void RosTaskWorld::objectsCallback(const LocatedObjectArray& message) {
 void RosTaskWorld::recognizedCallback(const RecognizedObjectArray& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   recognized_ = message.header.stamp;
+  recognized_at_ = Moment::now();
+  asked_.notify_all();
 }
 
 void RosTaskWorld::gripperCallback(const GripperState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   gripper_ = message;
-  gripper_at_ = ros::WallTime::now();
+  gripper_at_ = Moment::now();
 }
 
 void RosTaskWorld::jointsCallback(const sensor_msgs::JointState& message) {
-  ArmState state;
-  if (!armState(message, &state)) return;  // another device's message
   const std::lock_guard<std::mutex> lock(mutex_);
-  joints_ = state.joints;
-  joints_at_ = ros::WallTime::now();
+  const std::optional<ArmState> state = arm_states_.add(message, ros::Time::now().toSec());
+  if (!state) return;  // another device's message, or not yet all of the arm
+  joints_ = state->joints;
+  joints_at_ = Moment::now();
 }
 
 std::optional<JointVector> RosTaskWorld::joints() const {
-  const ros::WallTime begin = ros::WallTime::now();
+  const Moment begin = Moment::now();
   do {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      if (joints_ && ros::WallTime::now() - joints_at_ < ros::WallDuration(parameters_.state_max_age))
-        return joints_;
+      if (joints_ && joints_at_.since() < parameters_.state_max_age) return joints_;
     }
     kPoll.sleep();
-  } while (!cancelled_() && ros::WallTime::now() - begin < ros::WallDuration(parameters_.answer_timeout));
+  } while (!cancelled_() && begin.since() < parameters_.answer_timeout);
   return std::nullopt;
 }
 
@@ -215,43 +220,65 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
   const ros::Time stands = std::max(ros::Time::now(), move_.getResult()->stamp);
   const ros::Time after = stands + ros::Duration(parameters_.settle);
   waitUntil(after);
-  const Beside asks([&](const std::atomic<bool>& enough) { askRecognizer(after, enough); });
-  return waitForView(after);
+  ask(after);
+  const TaskLook seen = waitForView(after);
+  ask(std::nullopt);
+  return seen;
 }
 
 void RosTaskWorld::waitUntil(const ros::Time& moment) const {
-  const ros::WallTime begin = ros::WallTime::now();
-  while (ros::Time::now() < moment && !cancelled_() &&
-         ros::WallTime::now() - begin < ros::WallDuration(parameters_.look_timeout))
+  const Moment begin = Moment::now();
+  while (ros::Time::now() < moment && !cancelled_() && begin.since() < parameters_.look_timeout)
     kTick.sleep();
 }
 
+void RosTaskWorld::ask(const std::optional<ros::Time>& after) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ask_after_ = after;
+  gone_now_ = false;
+  asked_.notify_all();
+}
+
+/// Its service is not there, and for as long nothing came from it.
+bool RosTaskWorld::recognizerGone() const {
+  const bool silent = recognized_at_.never() || recognized_at_.since() >= kGone;
+  return gone_now_ && silent && gone_at_.since() >= kGone;
+}
+
 /// A recogniser that works on request does so now; one that works on every image answers with the next. Asks
-/// again when the answer is of an image that was on its way before, and when eye_hand makes no use of it. Who
-/// does not answer is told by silence().
-void RosTaskWorld::askRecognizer(const ros::Time& after, const std::atomic<bool>& enough) {
-  const auto wait = [&](double seconds, bool for_image) {
-    const ros::WallTime begin = ros::WallTime::now();
-    while (!enough && ros::WallTime::now() - begin < ros::WallDuration(seconds)) {
-      if (for_image) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (recognized_ >= after) return true;
-      }
-      kTick.sleep();
-    }
-    return false;
-  };
-  while (!enough) {
+/// again when the answer is of an image that was on its way before, and when eye_hand makes no use of it. A
+/// thread of its own: a recogniser that hangs does not answer for ever.
+void RosTaskWorld::askRecognizer() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto wanted = [this] { return ending_ || ask_after_; };
+  const auto enough = [this] { return ending_ || !ask_after_; };
+  while (true) {
+    asked_.wait(lock, wanted);
+    if (ending_) return;
+    const ros::Time after = *ask_after_;
+    lock.unlock();
     Recognize call;
-    if (!recognize_.exists() || !recognize_.call(call))
-      wait(kSlowTopic, false);
-    else if (wait(kSlowTopic, true))
-      wait(kSlowEyeHand, false);
+    const bool there = recognize_.exists();
+    const bool answered = there && recognize_.call(call);
+    lock.lock();
+    if (there)
+      gone_at_ = Moment();
+    else if (gone_at_.never())
+      gone_at_ = Moment::now();
+    gone_now_ = !there && ask_after_;
+    const auto recognized = [&] { return enough() || recognized_ >= after; };
+    if (!answered)
+      asked_.wait_for(lock, kSlowTopic, enough);
+    else if (asked_.wait_for(lock, kSlowTopic, recognized) && !enough())
+      asked_.wait_for(lock, kSlowEyeHand, enough);
   }
 }
 
 std::string RosTaskWorld::silence(const ros::Time& after) const {
   const std::string recognized = recognized_subscriber_.getTopic(), located = objects_subscriber_.getTopic();
+  if (recognizerGone())
+    return "the node recognizer does not run (any more): its service " +
+           node_.resolveName(names::kAskRecognizer) + " is not there";
   std::string who;
   if (recognized_subscriber_.getNumPublishers() == 0)
     who = "nobody publishes " + recognized + ": is the node recognizer running?";
@@ -275,7 +302,7 @@ TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
   std::string refused;
   int refusals = 0;
   ros::Time last;
-  const ros::WallTime begin = ros::WallTime::now();
+  const Moment begin = Moment::now();
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
     if (view_ && view_->header.stamp >= after) {
@@ -288,8 +315,7 @@ TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
       look.reason = "cancelled";
       return look;
     }
-    if (refusals == kRefusedViews ||
-        ros::WallTime::now() - begin > ros::WallDuration(parameters_.look_timeout)) {
+    if (refusals == kRefusedViews || begin.since() > parameters_.look_timeout || recognizerGone()) {
       look.reason = refused.empty() ? silence(after) : "eye_hand refuses the views: " + refused;
       return look;
     }
@@ -301,12 +327,10 @@ TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
   return look;
 }
 
-/// In wall time: the clock may stand.
 bool RosTaskWorld::waitFor(ros::ServiceClient* service) const {
-  const ros::WallTime begin = ros::WallTime::now();
+  const Moment begin = Moment::now();
   while (!service->exists()) {
-    if (cancelled_() || ros::WallTime::now() - begin > ros::WallDuration(parameters_.answer_timeout))
-      return false;
+    if (cancelled_() || begin.since() > parameters_.answer_timeout) return false;
     kPoll.sleep();
   }
   return true;
@@ -344,7 +368,7 @@ TaskPick RosTaskWorld::pick(const MappedObject& object, const GraspCandidate& gr
 TaskGrip RosTaskWorld::grip() {
   const std::lock_guard<std::mutex> lock(mutex_);
   TaskGrip grip;
-  if (!gripper_ || ros::WallTime::now() - gripper_at_ > ros::WallDuration(parameters_.state_max_age)) {
+  if (!gripper_ || gripper_at_.since() > parameters_.state_max_age) {
     grip.reason = "gripper/state is silent";
     return grip;
   }

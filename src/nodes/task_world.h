@@ -12,17 +12,19 @@
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 
-#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "monocular_eye_hand/arm/arm_description.h"
 #include "monocular_eye_hand/task/world.h"
+#include "nodes/arm_state.h"
+#include "nodes/moment.h"
 #include "nodes/task_parameters.h"
 
 namespace monocular_eye_hand {
@@ -34,6 +36,7 @@ class RosTaskWorld : public TaskWorld {
  public:
   /// Keeps a pointer to `models`.
   RosTaskWorld(const ModelBase* models, const TaskParameters& parameters, std::function<bool()> cancelled);
+  ~RosTaskWorld() override;
 
   TaskLook look(const TaskView& view) override;
   GraspPlan graspTargets(const MappedObject& object) override;
@@ -41,6 +44,7 @@ class RosTaskWorld : public TaskWorld {
   TaskGrip grip() override;
   TaskPick carry(const MappedObject& object, int place) override;
   TaskPick open() override;
+  void wait(double seconds) override;
 
   /// A new task begins. Places of the drop zone are counted from 0 again, or with `go_on` where the last task
   /// ended: what it carried still lies there.
@@ -59,9 +63,11 @@ class RosTaskWorld : public TaskWorld {
   Eigen::Vector3d lookTarget(const TaskView& view) const;
   void waitUntil(const ros::Time& moment) const;  // of the clock; at most look_timeout
   TaskLook waitForView(const ros::Time& after);
-  void askRecognizer(const ros::Time& after, const std::atomic<bool>& enough);
+  void ask(const std::optional<ros::Time>& after);
+  void askRecognizer();  // the thread asker_
   std::string silence(
       const ros::Time& after) const;  // who in the chain of eyes says nothing; with mutex_ held
+  bool recognizerGone() const;        // with mutex_ held
   TaskPick move(const MoveGoal& goal);
 
   const ModelBase* models_;
@@ -79,13 +85,20 @@ class RosTaskWorld : public TaskWorld {
   actionlib::SimpleActionClient<MoveAction> move_;
 
   mutable std::mutex mutex_;
-  std::condition_variable new_view_;
+  std::condition_variable new_view_, asked_;
+  std::optional<ros::Time> ask_after_;  // an image from then on is wanted
+  bool gone_now_ = false;               // the recogniser does not answer, by the last call for this view
+  Moment gone_at_;                      // since then it does not
+  bool ending_ = false;
   std::optional<LocatedObjectArray> view_;
   ros::Time recognized_;  // stamp of the last image that was recognised
+  Moment recognized_at_;
   std::optional<GripperState> gripper_;
   std::optional<JointVector> joints_;
-  ros::WallTime gripper_at_, joints_at_;
+  ArmStates arm_states_;
+  Moment gripper_at_, joints_at_;
   std::vector<GraspTarget> targets_;  // of the last graspTargets(); GraspCandidate::model_grasp counts in it
+  std::thread asker_;
 };
 
 }  // namespace monocular_eye_hand

@@ -2,6 +2,7 @@
 
 #include "monocular_eye_hand/arm/arm_description.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
 #include "nodes/work_cell_node.h"
 
@@ -27,6 +28,7 @@ std::vector<meh::NamedMesh> loadMeshes(const std::string& model_base) {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "work_cell");
   ros::NodeHandle node;  // keeps the node up
+  const meh::NodeWatch watch;
   try {
     meh::WorkCellParameters parameters;
     meh::readOptions(meh::privateParameters({}), &parameters);

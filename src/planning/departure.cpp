@@ -9,9 +9,13 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kStep = 5e-4;  // of any point of the arm between two tests of true shapes [m]
-constexpr double kLengths[] = {0.01, 0.02, 0.05, 0.1};  // of a straight way out [m]
-constexpr double kWithdrawals[] = {0.1, 0.05};          // out of a narrow place [m]
-constexpr double kTurns[] = {0.05, 0.1, 0.2};           // of a single joint [rad]
+constexpr double kLengths[] = {0.01, 0.02, 0.05, 0.1};                // of a straight way out [m]
+constexpr double kWithdrawals[] = {0.1, 0.05};                        // out of a narrow place [m]
+constexpr double kRecoveries[] = {0.01, 0.02, 0.05, 0.1, 0.15, 0.2};  // out of a collision [m]
+constexpr int kMostMet = 20;                                          // pairs that meet where the arm stands
+constexpr double kDeeper = 1e-3;               // than at the start: depths of meshes are not exact [m]
+constexpr int kPartingSteps = 4;               // between two points of a way
+constexpr double kTurns[] = {0.05, 0.1, 0.2};  // of a single joint [rad]
 
 void pad(CollisionWorld* world, double padding) {
   world->setPadding(padding);
@@ -31,6 +35,20 @@ bool lineFree(const PathTest& test, const std::vector<JointVector>& points) {
   int tests = 0;
   for (size_t i = 0; i + 1 < points.size(); ++i)
     if (!edgeFree(test, points[i], points[i + 1], 0.01, true, &tests)) return false;
+  return true;
+}
+
+/// What meets at the beginning of a way goes no deeper on it.
+bool parts(const CollisionWorld& bare, const std::vector<JointVector>& way) {
+  const double limit = 1e-3;  // of clearance() [m]
+  const auto nearest = [&](const JointVector& joints) {
+    const CollisionPair pair = bare.clearance(joints, limit);
+    return pair.first.empty() ? limit : pair.distance;
+  };
+  const double deepest = nearest(way.front()) - kDeeper;
+  for (size_t i = 0; i + 1 < way.size(); ++i)
+    for (int k = 1; k <= kPartingSteps; ++k)
+      if (nearest(way[i] + (way[i + 1] - way[i]) * k / kPartingSteps) < deepest) return false;
   return true;
 }
 
@@ -72,13 +90,14 @@ PathTest testOfTrueShapes(const CollisionWorld& bare) {
   return test;
 }
 
+template <class Lengths>
 std::vector<std::vector<JointVector>> waysOut(const ToolArm& arm, const JointVector& start,
-                                              const PlanningOptions& options) {
+                                              const Lengths& lengths, const PlanningOptions& options) {
   std::vector<std::vector<JointVector>> ways;
   const Rigid3 tcp = arm.baseFromTcp(start);
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ(), x = Eigen::Vector3d::UnitX(),
                         y = Eigen::Vector3d::UnitY(), back = -tcp.rotation.col(2);
-  for (double length : kLengths)
+  for (double length : lengths)
     for (const Eigen::Vector3d& direction : {up, back, x, Eigen::Vector3d(-x), y, Eigen::Vector3d(-y)}) {
       std::vector<JointVector> way = straightWay(arm, start, length * direction, options);
       if (!way.empty()) ways.push_back(std::move(way));
@@ -111,13 +130,35 @@ Departure planDeparture(const ToolArm& arm, const CollisionWorld& world, const J
     return departure;
   }
   const PathTest test = testOfTrueShapes(bare);
-  for (const std::vector<JointVector>& way : waysOut(arm, start, options)) {
+  for (const std::vector<JointVector>& way : waysOut(arm, start, kLengths, options)) {
     const double padding = freePadding(&padded, way.back(), options);
     if (padding < 0 || !lineFree(test, way)) continue;
     return along(arm, way, test, padding, options);
   }
   pad(&padded, options.near_padding);
   departure.reason = "start: " + describe(padded.firstCollision(start)) + ", and no way leads away from it";
+  return departure;
+}
+
+Departure planRecovery(const ToolArm& arm, const CollisionWorld& world, const JointVector& start,
+                       const TouchingPairs& touching, const PlanningOptions& options) {
+  Departure departure = planDeparture(arm, world, start, touching, options);
+  if (departure.possible) return departure;
+  const CollisionWorld bare = trueShapes(world, touching);
+  CollisionWorld parting = bare;
+  for (int k = 0; k < kMostMet; ++k) {
+    const CollisionPair met = parting.firstCollision(start);
+    if (met.first.empty()) break;
+    parting.allow(met.first, met.second);
+  }
+  const PathTest test = testOfTrueShapes(parting);
+  CollisionWorld padded = world;
+  for (const std::vector<JointVector>& way : waysOut(arm, start, kRecoveries, options)) {
+    const double padding = freePadding(&padded, way.back(), options);
+    if (padding < 0 || !lineFree(test, way) || !parts(bare, way)) continue;
+    return along(arm, way, test, padding, options);
+  }
+  departure.reason += ", and no straight way out of it is free";
   return departure;
 }
 

@@ -1,6 +1,7 @@
 #include "monocular_eye_hand/task/clear_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -108,18 +109,24 @@ bool ClearFrameTask::look(const TaskView& view, TaskLook* seen) {
     return false;
   }
   if (!seen->done) {
-    if (++failed_looks_ < options_.look_attempts)
+    if (++failed_looks_ < options_.look_attempts) {
       tell("the look failed (" + seen->reason + "); again");
-    else
+      world_->wait(std::ldexp(options_.retry_wait, failed_looks_ - 1));
+    } else {
       finish(TaskOutcome::kFault,
              (failed_looks_ == 1 ? std::string("the look failed: ")
                                  : std::to_string(failed_looks_) + " looks failed in a row: ") +
                  seen->reason);
+    }
     return false;
   }
   failed_looks_ = 0;
   last_look_ = seen->stamp;
   learn(*seen);
+  for (auto& [key, progress] : progress_) {
+    if (view.near && key != Key(view.object.object, view.object.number)) continue;  // it may not be in view
+    progress.unseen = known(key) && known(key)->last_stamp >= seen->stamp ? 0 : progress.unseen + 1;
+  }
   return true;
 }
 
@@ -333,9 +340,10 @@ void ClearFrameTask::carry() {
       if (left.outcome == ObjectOutcome::kLeft && left.picks < options_.pick_attempts) {
         left.outcome = ObjectOutcome::kWaiting;
         left.reason.clear();
-        const size_t index = progress.index;
-        progress = {};
-        progress.index = index;
+        Progress again;
+        again.index = progress.index;
+        again.unseen = progress.unseen;
+        progress = again;
       }
     }
     return startRound();
@@ -369,10 +377,29 @@ void ClearFrameTask::startRound() {
   stage_ = TaskStage::kLook;
 }
 
+/// Phantoms of recognition show in one view: what is there is seen from several sides.
+bool ClearFrameTask::inDoubt(const TaskObject& object) const {
+  if (object.outcome != ObjectOutcome::kLeft && object.outcome != ObjectOutcome::kWaiting) return false;
+  const Progress& progress = progress_.at({object.object.object, object.object.number});
+  return object.picks == 0 && object.object.views < options_.confirm_views &&
+         progress.unseen >= options_.doubtful_looks;
+}
+
+void ClearFrameTask::settleDoubts() {
+  for (TaskObject& object : result_.objects) {
+    if (!inDoubt(object)) continue;
+    const int unseen = progress_.at({object.object.object, object.object.number}).unseen;
+    const std::string why = object.reason.empty() ? "" : "; " + object.reason;
+    object.outcome = ObjectOutcome::kDoubt;
+    object.reason = "one view showed it, the " + std::to_string(unseen) + " looks after it did not" + why;
+  }
+}
+
 void ClearFrameTask::finishRound() {
   chosen_.reset();
+  settleDoubts();
   int left = 0;
-  std::string first;
+  std::string first, doubts;
   for (TaskObject& object : result_.objects) {
     const MappedObject* there = known({object.object.object, object.object.number});
     if (object.outcome == ObjectOutcome::kWaiting && there && !inFrame(*there)) {
@@ -383,14 +410,17 @@ void ClearFrameTask::finishRound() {
       object.outcome = ObjectOutcome::kLeft;
       object.reason = "the task ended after most_rounds = " + std::to_string(options_.most_rounds);
     }
+    if (object.outcome == ObjectOutcome::kDoubt)
+      doubts += (doubts.empty() ? "; in doubt: " : ", ") + label(object.object) + " (" + object.reason + ")";
     if (object.outcome != ObjectOutcome::kLeft && object.outcome != ObjectOutcome::kDropped) continue;
     if (++left == 1) first = label(object.object) + ": " + object.reason;
   }
   if (left > 0)
-    finish(TaskOutcome::kLeftovers, std::to_string(left) + " left in the frame or dropped; " + first);
+    finish(TaskOutcome::kLeftovers,
+           std::to_string(left) + " left in the frame or dropped; " + first + doubts);
   else
     finish(TaskOutcome::kCleared,
-           "nothing known is left in the frame; " + std::to_string(carried_) + " carried out");
+           "nothing known is left in the frame; " + std::to_string(carried_) + " carried out" + doubts);
 }
 
 void ClearFrameTask::finish(TaskOutcome outcome, const std::string& reason) {

@@ -21,6 +21,8 @@ void ClearFrameOptions::check() const {
   requireAtLeast("overviews_again", overviews_again, 1);
   requireAtLeast("doubtful_misses", doubtful_misses, 1);
   requireAtLeast("confirm_views", confirm_views, 1);
+  requireAtLeast("retry_wait", retry_wait, 0);
+  requireAtLeast("doubtful_looks", doubtful_looks, 1);
   requireAtLeast("look_attempts", look_attempts, 1);
   requireAtLeast("near_looks", near_looks, 1);
   requireAtLeast("searches", searches, 0);
@@ -99,6 +101,8 @@ const char* name(ObjectOutcome outcome) {
       return "held";
     case ObjectOutcome::kDropped:
       return "dropped";
+    case ObjectOutcome::kDoubt:
+      return "doubt";
   }
   return "unknown";
 }

@@ -94,13 +94,14 @@ class Camera:
 
     def __init__(self, namespace=""):
         self.image, self.info = None, None
+        self.stamp = rospy.Time.now
         self.info_publisher = rospy.Publisher(namespace + "camera_info", CameraInfo, queue_size=1)
         self.image_publisher = rospy.Publisher(namespace + "image_raw", Image, queue_size=1)
         self.timer = rospy.Timer(rospy.Duration(0.1), self.publish)
 
     def publish(self, _event):
         image, info = self.image, self.info
-        stamp = rospy.Time.now()
+        stamp = self.stamp()
         if info is not None:
             info.header.stamp = stamp
             self.info_publisher.publish(info)

@@ -78,8 +78,10 @@ class Arm:
         self.joints = ABOVE
         self.offset = numpy.zeros(3)  # of tf alone [m]
         self.joint_states = self.tf = True
+        self.split = False  # the joints come in two messages
         self.lock = threading.Lock()
         self.publisher = rospy.Publisher("/joint_states", JointState, queue_size=100)
+        self.hidden = []  # joints that are not told
         self.broadcaster = tf2_ros.TransformBroadcaster()
         self.static = tf2_ros.StaticTransformBroadcaster()
         self.timer = rospy.Timer(rospy.Duration(0.05), lambda _: self.tick())
@@ -91,9 +93,12 @@ class Arm:
         with self.lock:
             now = self.now()
             if self.joint_states:
-                message = JointState(name=["finger_left_joint"] + JOINTS, position=[0.02] + list(self.joints))
-                message.header.stamp = now
-                self.publisher.publish(message)
+                for joints in ([JOINTS[:2], JOINTS[2:]] if self.split else [JOINTS]):
+                    told = [name for name in joints if name not in self.hidden]
+                    message = JointState(name=["finger_left_joint"] + told)
+                    message.position = [0.02] + [self.joints[JOINTS.index(name)] for name in told]
+                    message.header.stamp = now
+                    self.publisher.publish(message)
             if self.tf:
                 hand = base_from_tool0(self.joints)
                 hand[:3, 3] += self.offset

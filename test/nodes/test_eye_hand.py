@@ -64,6 +64,7 @@ class TestEyeHand(unittest.TestCase):
         self.assertTrue(self.node.running(), self.node.text())
         self.arm.joints, self.arm.offset = scene.ABOVE, numpy.zeros(3)
         self.arm.tf = True
+        self.arm.split, self.arm.hidden = False, []
         self.forget("", -1)
 
     def tearDown(self):
@@ -244,6 +245,92 @@ class TestEyeHand(unittest.TestCase):
         again = self.see([("bridge", BRIDGE)], stamp=array.header.stamp - rospy.Duration(0.2))
         self.assertIn("not newer", again.refused)
         self.assertEqual(again.objects, array.objects)
+
+    def test_stamps_that_begin_again(self):
+        """A bag that is played again without a clock: a new map, not a refusal for ever."""
+        array = self.use([("bridge", BRIDGE), ("bridge", scene.transform(numpy.eye(3), [0, 0.15, 0]) @ BRIDGE)])
+        rospy.sleep(2)
+        self.use([("grenade", GRENADE)])
+        again = self.see([("bridge", BRIDGE)], stamp=array.header.stamp)
+        self.assertEqual(again.refused, "")
+        self.assertEqual([(one.name, one.instance, one.views) for one in again.objects], [("bridge", 0, 1)])
+        self.assertIn("the stamps of the views went back by", self.node.text())
+        rospy.sleep(0.2)
+        self.assertEqual(self.use([("bridge", BRIDGE)]).objects[0].instance, 0)
+
+    def test_what_cannot_be_there(self):
+        """Below the table's top nothing is; what stands on it beside that is used."""
+        def lowered(matrix, depth):
+            return scene.transform(numpy.eye(3), [0, 0, -depth]) @ matrix
+        array = self.use([("bridge", lowered(BRIDGE, 0.010)), ("bracket", lowered(FRAME, 0.040)), ("grenade", GRENADE)])
+        self.assertEqual([one.name for one in array.objects], ["grenade"])
+        self.assertEqual(len(array.ruled_out), 2)
+        self.assertIn("bridge: reaches 10.0 mm below the table's top", array.ruled_out[0])
+        self.assertIn("bracket: reaches 40.0 mm below", array.ruled_out[1])
+        self.ask(GraspTargetsResponse.NOT_KNOWN, "no bridge is known")
+        array = self.use([("bridge", lowered(BRIDGE, 0.002))])
+        self.assertEqual(array.ruled_out, [])
+        self.assertIn("bridge", [one.name for one in array.objects])
+
+    def test_what_the_hand_is(self):
+        """A part where the hand itself is was seen wrongly."""
+        in_hand = scene.base_from_tool0(self.arm.joints) @ scene.transform(numpy.eye(3), [0, 0, 0.05])
+        array = self.use([("bracket", in_hand), ("grenade", GRENADE)])
+        self.assertEqual([one.name for one in array.objects], ["grenade"])
+        self.assertEqual(array.ruled_out, ["bracket: reaches into the hand"])
+
+    def test_slash_before_the_frame(self):
+        array = self.see([("bridge", BRIDGE)], frame="/" + scene.CAMERA)
+        self.assertEqual(array.refused, "")
+        self.near(array.objects[0], BRIDGE)
+
+    def test_split_joints(self):
+        self.arm.split = True
+        rospy.sleep(0.3)
+        self.near(self.use([("bridge", BRIDGE)]).objects[0], BRIDGE)
+        self.ask(GraspTargetsResponse.FOUND)
+
+    def test_a_joint_that_is_not_told(self):
+        self.arm.split, self.arm.hidden = True, ["joint5"]
+        rospy.sleep(2.5)
+        self.refuse(["no joint state within 1 s of the image's stamp"])
+
+    def test_body_frame(self):
+        """The driver names the body's frame (x forward): told, whether tf has the optical one or not."""
+        body_from_optical = scene.transform(numpy.array([[0, 0, 1], [-1, 0, 0], [0, -1, 0]]), [0, 0, 0])
+        tool0_from_body = scene.TOOL0_FROM_CAMERA @ numpy.linalg.inv(body_from_optical)
+        stamp = rospy.Time.now()
+        self.arm.static.sendTransform(scene.stamped("tool0", "camera_link", tool0_from_body, stamp))
+        rospy.sleep(0.3)
+        self.refuse(["camera_link seems to be the body of the camera", "camera_frame"], frame="camera_link")
+        self.arm.static.sendTransform(
+            scene.stamped("camera_link", "left_optical_frame", body_from_optical, stamp))
+        rospy.sleep(0.3)
+        self.refuse(["camera_link is the body of the camera", "left_optical_frame"], frame="camera_link")
+        self.assertEqual(self.see([("bridge", BRIDGE)], frame="left_optical_frame").refused, "")
+
+    def test_a_view_from_before_a_forget_is_no_trouble(self):
+        self.use([("bridge", BRIDGE), ("grenade", GRENADE)])
+        stamp = self.arm.stamp()
+        said = self.node.text().count("a view is not used")
+        self.forget("bridge", 0)
+        array = self.see([("bridge", BRIDGE)], stamp=stamp)
+        self.assertIn("older than the last ~forget", array.refused)
+        self.assertEqual([one.name for one in array.objects], ["grenade"])
+        self.assertEqual(self.node.text().count("a view is not used"), said)
+
+    def test_on_request_is_no_alarm(self):
+        """A recogniser that waits to be asked is silent, and nothing is wrong."""
+        rospy.set_param("/recognizer/on_request", True)
+        self.addCleanup(rospy.delete_param, "/recognizer/on_request")
+        self.use([("bridge", BRIDGE)])
+        rospy.sleep(10.5)
+        diagnostics = node_process.Collector()
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, diagnostics, queue_size=10)
+        heard = diagnostics.wait(lambda message: any(one.name == "eye_hand: views" for one in message.status))
+        subscriber.unregister()
+        views = [one for one in heard.status if one.name == "eye_hand: views"][0]
+        self.assertEqual((views.level, views.message), (DiagnosticStatus.OK, "knows bridge 0"))
 
     def test_grasps_found(self):
         array = self.use([("bridge", BRIDGE), ("grenade", GRENADE)])

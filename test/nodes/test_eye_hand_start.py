@@ -2,7 +2,6 @@
 """The node eye_hand from its launch file, with parameters that it refuses, and with a clock that is set back."""
 import os
 import sys
-import threading
 import time
 import unittest
 
@@ -10,39 +9,18 @@ import numpy
 import rospkg
 import rospy
 import rostest
-from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import CameraInfo
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import eye_hand_scene as scene
 import node_process
+from set_clock import SetClock
 from monocular_eye_hand.msg import LocatedObjectArray, RecognizedObjectArray
 from monocular_eye_hand.srv import GraspTargets, GraspTargetsResponse
 
 BRIDGE = scene.transform(scene.rotation(0, 0, 0.3), [0.62, -0.15, 0.3])
 GOOD = numpy.diag([1e-4**2] * 3 + [1e-3**2] * 3)  # [m^2, rad^2]
 SIM_TIME = "/use_sim_time"
-
-
-class SetClock:
-    """/clock fifty times a second, at the speed of the wall's, from any time on."""
-
-    def __init__(self, start):
-        self.publisher = rospy.Publisher("/clock", Clock, queue_size=10)
-        self.set(start)
-        self.stop = threading.Event()
-        self.thread = threading.Thread(target=self.run)
-        self.thread.start()
-
-    def set(self, start):
-        self.ahead = rospy.Duration(start) - rospy.Duration(rospy.get_time())
-
-    def now(self):
-        return rospy.Time.now() + self.ahead
-
-    def run(self):
-        while not self.stop.wait(0.02):
-            self.publisher.publish(Clock(clock=self.now()))
 
 
 class TestEyeHandStart(unittest.TestCase):
@@ -170,8 +148,7 @@ class TestEyeHandStart(unittest.TestCase):
                 rospy.sleep(0.5)
                 self.assertEqual(see([("bridge", aside)]), [("bridge", 0)])
         finally:
-            clock.stop.set()
-            clock.thread.join()
+            clock.close()
             arm.timer.shutdown()
             rospy.delete_param(SIM_TIME)
 

@@ -126,5 +126,45 @@ TEST_F(History, LeavesOutWhatIsBroken) {
   EXPECT_EQ(history_.problem(), "");
 }
 
+// Some of the joints at `angle` + k.
+sensor_msgs::JointState part(double stamp, double angle, const std::vector<int>& joints) {
+  sensor_msgs::JointState state;
+  state.header.stamp = ros::Time(stamp);
+  for (int k : joints) {
+    state.name.push_back(kNames[size_t(k)]);
+    state.position.push_back(angle + k);
+  }
+  return state;
+}
+
+TEST_F(History, JointsOfSeveralMessagesAreOneArm) {
+  const ros::Time now(500);
+  history_.add(part(100, 0.2, {0, 1, 2}), now);
+  EXPECT_EQ(at(100), Match::kNone);
+  EXPECT_FALSE(history_.latest(&joints_, &stamp_));
+  EXPECT_EQ(history_.problem(), "the messages have no position of d, e, f");
+  history_.add(part(100.02, 0.22, {5, 4, 3}), now);
+  EXPECT_EQ(history_.problem(), "");
+  ASSERT_TRUE(history_.latest(&joints_, &stamp_));
+  EXPECT_EQ(stamp_, ros::Time(100));  // since then all are known
+  history_.add(part(100.4, 0.6, {0, 1, 2}), now);
+  history_.add(part(100.42, 0.62, {5, 4, 3}), now);
+  EXPECT_EQ(at(100.2), Match::kBetween);
+  expectJoints(0.4);
+  EXPECT_EQ(at(100.41), Match::kNear);  // of a to c nothing is known after it
+}
+
+TEST_F(History, AJointOfItsOwnPublisherMayBeSlow) {
+  const ros::Time now(500);
+  for (int k = 0; k <= 10; ++k) history_.add(part(100 + 0.1 * k, 0.1 * k, {0, 1, 2, 3, 4}), now);
+  history_.add(part(100, 0, {5}), now);
+  EXPECT_EQ(at(100.9, 0.3), Match::kNone);  // the last of f is too old
+  history_.add(part(101, 1, {5}), now);
+  EXPECT_EQ(at(100.5, 0.6), Match::kBetween);
+  expectJoints(0.5);
+  ASSERT_TRUE(history_.latest(&joints_, &stamp_));
+  EXPECT_EQ(stamp_, ros::Time(101));
+}
+
 }  // namespace
 }  // namespace monocular_eye_hand

@@ -4,6 +4,8 @@ import os
 import shutil
 import sys
 import tempfile
+import threading
+import time
 import unittest
 
 import rospy
@@ -61,6 +63,7 @@ class TestRecognizer(unittest.TestCase):
         self.assertTrue(self.node.running(), self.node.text())
         self.camera.image = cube_scene.image_message(self.cube)
         self.camera.info = cube_scene.camera_info()
+        self.camera.stamp = rospy.Time.now
 
     def check(self, status, *words, name=""):
         reply = self.recognize(name)
@@ -122,6 +125,44 @@ class TestRecognizer(unittest.TestCase):
             self.check(RecognizeResponse.BAD_CAMERA_INFO, field + "[0] = nan")
         self.camera.info = cube_scene.camera_info()
         self.check(RecognizeResponse.FOUND)
+
+    def test_slash_before_the_frame(self):
+        self.camera.image.header.frame_id = "/" + cube_scene.FRAME
+        reply = self.check(RecognizeResponse.FOUND)
+        self.assertEqual(reply.objects[0].header.frame_id, cube_scene.FRAME)
+
+    def test_0_twelve_calls_without_an_image(self):
+        """All are answered after the same time."""
+        self.camera.image = self.camera.info = None
+        replies = []
+        begin = time.monotonic()
+        calls = [threading.Thread(target=lambda: replies.append((self.recognize(""), time.monotonic() - begin)))
+                 for _ in range(12)]
+        for call in calls:
+            call.start()
+        for call in calls:
+            call.join()
+        self.assertEqual({reply.status for reply, _ in replies}, {RecognizeResponse.NO_IMAGE})
+        times = [seconds for _, seconds in replies]
+        self.assertGreater(min(times), 1.9)
+        self.assertLess(max(times) - min(times), 1.9, "they wait for each other")
+
+    def test_odd_stamps(self):
+        """Zero, constant and future stamps are told."""
+        diagnostics = node_process.Collector()
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, diagnostics, queue_size=10)
+        for stamp, text in ((lambda: rospy.Time(), "no stamp"), (lambda: rospy.Time(1000), "all have one stamp"),
+                            (lambda: rospy.Time.now() + rospy.Duration(7), "s in the future")):
+            self.camera.stamp = stamp
+            told = diagnostics.wait(lambda message: status_named("camera")(message) and
+                                    text in status_of(message, "camera").message)
+            self.assertIsNotNone(told, text)
+            self.assertEqual(status_of(told, "camera").level, DiagnosticStatus.WARN)
+        self.camera.stamp = rospy.Time.now
+        diagnostics.clear()
+        self.assertIsNotNone(diagnostics.wait(lambda message: status_named("camera")(message) and
+                                              status_of(message, "camera").level == DiagnosticStatus.OK))
+        subscriber.unregister()
 
     def test_bad_image(self):
         self.camera.image = cube_scene.image_message(self.cube, "32FC1")

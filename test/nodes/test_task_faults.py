@@ -1,10 +1,14 @@
 #!/usr/bin/python3
 """The node task when others fail: a clear reason, no motion, and once it is repaired the next goal is done."""
 import os
+import signal
 import sys
+import time
 import unittest
+import xmlrpc.client
 
 import actionlib
+import rosgraph
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
@@ -93,6 +97,15 @@ class TestTaskFaults(unittest.TestCase):
     def test_1_no_planner(self):
         self.addCleanup(self.start_planner)
         self.refused(HASTY, "planner/move does not answer", "is the node planner running?")
+
+    def test_2_recognizer_died(self):
+        """A dead node is told by name long before the time-out of a look."""
+        self.start_recognizer()
+        process = xmlrpc.client.ServerProxy(rosgraph.Master("/test").lookupNode("/recognizer")).getPid("/test")[2]
+        os.kill(process, signal.SIGKILL)
+        begin = time.monotonic()
+        self.refused(PATIENT, "the node recognizer does not run", "/recognizer/recognize")
+        self.assertLess(time.monotonic() - begin, 50, "it waited for look_timeout = 60 s")
 
     def test_2_recognizer_killed(self):
         self.start_recognizer()

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/eye_hand/chain.h"
+#include "monocular_eye_hand/eye_hand/known_space.h"
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/model/model_base.h"
 
@@ -30,10 +31,14 @@ struct ObjectMapOptions {
   double min_turn = 0.03;        ///< ... unless the camera turned by this [rad]: they are not averaged
   int most_views = 200;          ///< merged per object; more tell nothing new
   double overlap_depth = 0.004;  ///< two objects that reach into each other deeper are not both there [m]
-  int forget_after_misses = 5;   ///< views in a row that should have shown an object and did not
-  double expected_share = 0.7;   ///< of an object must be in view and free for that ...
-  double expected_size = 40;     ///< ... at this size in the image at least [px] ...
-  double expected_border = 5;    ///< ... this far from the image's border [px]
+  /// What reaches deeper than this, and known_sigmas of its pose, into table, walls or the hand is not there
+  /// [m].
+  double known_depth = 0.004;
+  double known_sigmas = 3;
+  int forget_after_misses = 5;  ///< views in a row that should have shown an object and did not
+  double expected_share = 0.7;  ///< of an object must be in view and free for that ...
+  double expected_size = 40;    ///< ... at this size in the image at least [px] ...
+  double expected_border = 5;   ///< ... this far from the image's border [px]
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
@@ -44,6 +49,7 @@ struct ObjectMapOptions {
     v("outliers_to_restart", outliers_to_restart), v("min_motion", min_motion), v("min_turn", min_turn);
     v("most_views", most_views), v("overlap_depth", overlap_depth),
         v("forget_after_misses", forget_after_misses);
+    v("known_depth", known_depth), v("known_sigmas", known_sigmas);
     v("expected_share", expected_share), v("expected_size", expected_size),
         v("expected_border", expected_border);
   }
@@ -63,6 +69,7 @@ struct ObjectView {
   HandPose hand;     ///< at that stamp
   HandEye hand_eye;  ///< covariance zero: ObjectMapOptions::hand_eye stands in
   Camera camera;
+  KnownSpace known;  ///< at that stamp
   bool complete =
       true;  ///< every object was looked for and the search ended by itself: what is missing counts
   std::vector<SeenObject> objects;
@@ -97,10 +104,11 @@ const char* name(ViewOutcome outcome);
 /// What became of one SeenObject.
 struct ViewDecision {
   ViewOutcome outcome = ViewOutcome::kRefused;
-  int object = -1;         ///< ModelBase::objects
-  int number = -1;         ///< of the mapped object concerned; -1: none
-  double chi_square = -1;  ///< against the mapped object; -1: none
-  std::string reason;      ///< for people
+  int object = -1;          ///< ModelBase::objects
+  int number = -1;          ///< of the mapped object concerned; -1: none
+  double chi_square = -1;   ///< against the mapped object; -1: none
+  std::string reason;       ///< for people
+  bool impossible = false;  ///< refused, since it reaches into known space
 };
 
 struct ViewReport {
@@ -118,7 +126,8 @@ struct ViewReport {
 /// hundred views from one side are no better than the hand-eye calibration allows.
 ///
 /// Solid things are never in one place. Of objects that reach into each other the one with more views is
-/// told; the others are kept, untold, until views confirm them, miss them, or the told one is gone.
+/// told; the others are kept, untold, until views confirm them, miss them, or the told one is gone. What
+/// reaches into known space is refused with that reason.
 class ObjectMap {
  public:
   /// Keeps a pointer to `models`. Throws BadInput when an option is out of range.
@@ -158,6 +167,8 @@ class ObjectMap {
   };
   void addFloor(Matrix6d* covariance) const;
   Sighting sighting(const ObjectView& view, const SeenObject& seen) const;
+  Matrix6d totalCovariance(const Sighting& sighting) const;  // held, without the floor of the merged pose
+  std::string impossible(const Sighting& sighting, const KnownSpace& known);  // why; "": it is not
   Sighting equalSighting(const Sighting& sighting, const Rigid3& wanted) const;
   const ObjectModel& model(int object) const { return models_->objects[size_t(object)].model; }
   double chiSquare(const Sighting& a, const Sighting& b) const;

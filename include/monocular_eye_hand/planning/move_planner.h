@@ -25,6 +25,11 @@ struct Departure {
 Departure planDeparture(const ToolArm& arm, const CollisionWorld& world, const JointVector& start,
                         const TouchingPairs& touching, const PlanningOptions& options = {});
 
+/// As planDeparture(), and a way out for an arm whose true shapes meet something: a straight line on which
+/// what meets parts, and nothing else is met, to where it is free.
+Departure planRecovery(const ToolArm& arm, const CollisionWorld& world, const JointVector& start,
+                       const TouchingPairs& touching, const PlanningOptions& options = {});
+
 /// Straight lines out of a narrow place, for an arm that may start where it is and finds no way from there:
 /// up and back along the hand, 0.1 m or half of that; those that are free. Throws as planDeparture().
 std::vector<Departure> planWithdrawals(const ToolArm& arm, const CollisionWorld& world,

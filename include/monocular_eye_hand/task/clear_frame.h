@@ -18,6 +18,8 @@ struct ClearFrameOptions {
   int overviews_again = 1;      ///< the same in every further round
   int searches = 4;             ///< nearer views of the frame before it counts as cleared
   int look_attempts = 3;        ///< a view that fails so often in a row ends the task
+  double retry_wait = 2;        ///< before it is tried again; twice as long before every further time [s]
+  int doubtful_looks = 2;       ///< looks in a row that did not show what one view alone showed: a doubt
   int doubtful_misses = 2;      ///< views in a row that did not show an object: it does not count any more
   int confirm_views = 2;        ///< an object that so many views agree on is picked without a near look
   int near_looks = 3;           ///< per object and round, until its pose is sure enough
@@ -32,8 +34,8 @@ struct ClearFrameOptions {
   void visit(Visitor&& v) {
     v("frame", frame), v("frame_margin", frame_margin), v("overviews", overviews);
     v("overviews_again", overviews_again), v("searches", searches), v("doubtful_misses", doubtful_misses);
-    v("look_attempts", look_attempts), v("confirm_views", confirm_views), v("near_looks", near_looks),
-        v("confirm_attempts", confirm_attempts);
+    v("look_attempts", look_attempts), v("retry_wait", retry_wait), v("doubtful_looks", doubtful_looks);
+    v("confirm_views", confirm_views), v("near_looks", near_looks), v("confirm_attempts", confirm_attempts);
     v("blocked_rounds", blocked_rounds);
     v("pick_attempts", pick_attempts), v("candidates", candidates), v("most_rounds", most_rounds);
   }
@@ -43,7 +45,7 @@ enum class TaskStage { kLook, kChoose, kConfirm, kPick, kVerify, kCarry, kDone }
 const char* name(TaskStage stage);
 
 enum class TaskOutcome {
-  kCleared,    ///< nothing known is left in the frame
+  kCleared,    ///< nothing known is left in the frame; what one view alone showed is told as a doubt
   kLeftovers,  ///< something is, each with its reason
   kNoFrame,    ///< the frame was not found
   kCancelled,
@@ -54,10 +56,11 @@ const char* name(TaskOutcome outcome);
 enum class ObjectOutcome {
   kWaiting,  ///< its turn did not come
   kCarried,
-  kGone,    ///< was there and is not any more, by no doing of the task
-  kLeft,    ///< given up, see the reason
-  kHeld,    ///< still in the gripper
-  kDropped  ///< lost on the way
+  kGone,     ///< was there and is not any more, by no doing of the task
+  kLeft,     ///< given up, see the reason
+  kHeld,     ///< still in the gripper
+  kDropped,  ///< lost on the way
+  kDoubt     ///< one view showed it and no later look did: most likely it was never there
 };
 const char* name(ObjectOutcome outcome);
 
@@ -110,6 +113,7 @@ class ClearFrameTask {
   struct Progress {
     size_t index = 0;  // result_.objects
     int near_looks = 0, unconfirmed = 0;
+    int unseen = 0;       // looks in a row that did not show it
     std::string blocked;  // why there is no grasp as things stand: other objects may be in the way
     int blocked_rounds = 0;
     int set_aside = 0;  // the round in which the others go first, since no grasp of it has a path
@@ -134,6 +138,8 @@ class ClearFrameTask {
   std::vector<Key> waiting() const;
   TaskObject& entry(const Key& key) { return result_.objects[progress_.at(key).index]; }
   void giveUp(const Key& key, const std::string& reason);
+  bool inDoubt(const TaskObject& object) const;
+  void settleDoubts();
   void lostGrasp(const std::string& reason);
   void stopped(const TaskPick& result);
   bool opened();

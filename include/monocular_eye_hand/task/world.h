@@ -63,6 +63,8 @@ class TaskWorld {
   virtual TaskPick carry(const MappedObject& object, int place) = 0;
   /// Opens the gripper where it is, away from any part, after a lost grasp.
   virtual TaskPick open() = 0;
+  /// Before something that failed is tried again [s].
+  virtual void wait(double /*seconds*/) {}
 };
 
 }  // namespace monocular_eye_hand

@@ -1,0 +1,150 @@
+// The way out: after a crash with a part in the hand, a gripper that is not empty, a start in collision.
+#include <ros/console.h>
+#include <ros/names.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/names.h"
+#include "nodes/planner_work.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+// What the gripper holds and nobody knows: a box from so far behind gripper_tcp to so far before it, so long
+// along the pads. Large enough for most parts that fit the gripper [m].
+constexpr double kUnknownBehind = 0.03, kUnknownBefore = 0.07, kUnknownLength = 0.06;
+const char kUnknownPart[] = "unknown part";
+
+std::string millimetres(double metres) { return std::to_string(std::lround(1e3 * metres)) + " mm"; }
+
+}  // namespace
+
+std::string PlannerWork::recoverHint() {
+  return "a goal to " + ros::names::resolve(std::string("~") + names::kRecover) + " leads out";
+}
+
+bool PlannerWork::holdsSomething(const GripperState& gripper) const {
+  return gripper.stalled && !gripper.moving && gripper.width > parameters_.execution.open_tolerance;
+}
+
+/// A planner that starts again knows what it picked last.
+void PlannerWork::recall() {
+  if (recalled_) return;
+  const GripperState gripper = driver_.gripper();
+  recalled_ = true;
+  const std::optional<PickMemory> memory = keptMemory();
+  if (!memory || !scene_.knows(memory->object.name)) return;
+  if (memory->stamp > ros::Time::now().toSec() + parameters_.execution.joint_silence) return;  // another run
+  const double off = std::abs(gripper.width - memory->target.grip_width);
+  if (holdsSomething(gripper) && off <= parameters_.execution.width_tolerance) {
+    ROS_INFO("the gripper holds %s, picked before this node started", memory->object.label().c_str());
+    hold(memory->object, memory->target, gripper.width);
+  } else {
+    visit_ = {memory->object, memory->target.open_width};
+  }
+}
+
+void PlannerWork::hold(const SceneObject& object, const PickTarget& target, double width) {
+  Held held;
+  held.object = object;
+  held.target = target;
+  held.tcp_from_object = target.base_from_tcp_grasp.inverse() * object.base_from_object;
+  held.width = width;
+  held_ = held;
+}
+
+/// Something that was not picked by this node: it hangs in the hand as it is turned now.
+void PlannerWork::holdUnknown(const GripperState& gripper, const JointVector& joints) {
+  const double length = kUnknownBehind + kUnknownBefore;
+  scene_.learnBox(kUnknownPart, {kUnknownLength, std::max(gripper.width, 1e-3), length});
+  PickTarget target;
+  target.object = std::string(kUnknownPart) + " 0";
+  target.base_from_tcp_grasp = arm_.baseFromTcp(joints);
+  target.base_from_tcp_grasp.translation.z() = parameters_.table.z + kUnknownBefore;
+  target.base_from_tcp_before = target.base_from_tcp_after = target.base_from_tcp_grasp;
+  target.grip_width = gripper.width;
+  target.open_width = description_.gripper_width_max;
+  SceneObject object{kUnknownPart, 0, target.base_from_tcp_grasp};
+  object.base_from_object.translation +=
+      target.base_from_tcp_grasp.rotation.col(2) * (kUnknownBefore - kUnknownBehind) / 2;
+  hold(object, target, gripper.width);
+}
+
+CollisionWorld PlannerWork::worldNow(const JointVector& joints, double gripper_width) const {
+  const std::optional<SceneObject> subject = held_ ? std::optional<SceneObject>(held_->object) : std::nullopt;
+  CollisionWorld world = scene_.world(subject, -1, inHand(joints));
+  if (held_) world.attach(held_->object.label(), held_->tcp_from_object);
+  world.setGripperWidth(gripper_width);
+  return world;
+}
+
+/// To the first place of the drop zone where nothing is known to stand.
+WorkResult PlannerWork::putDownSomewhere(const WorkWatch& watch, std::string* said) {
+  const std::string label = held_->object.label();
+  const JointVector joints = start();
+  std::string last = "the drop zone has no place";
+  for (size_t place = 0; place < places_.size(); ++place) {
+    const PickPlan plan = planThePlace(int(place), joints, false);
+    if (!plan.planned()) {
+      last = "place " + std::to_string(place) + ", " + name(plan.outcome) + ": " + plan.reason;
+      continue;
+    }
+    *said += "put down " + label + " at place " + std::to_string(place) + "; ";
+    return drivePlace(int(place), plan.motions, watch);
+  }
+  return result(PickResult::UNREACHABLE, *said + "no free place for " + label + " can be reached: " + last);
+}
+
+WorkResult PlannerWork::openHere(const WorkWatch& watch, std::string* said) {
+  const JointVector joints = start();
+  const double now = driver_.gripper().width;
+  const double opening = freeOpening(worldNow(joints, now), joints, description_.gripper_width_max);
+  *said += "opened the gripper";
+  if (opening <= now + parameters_.execution.open_tolerance) return result(PickResult::DONE, "");
+  return result(driver_.openGripper(opening, driveWatch(watch, "open", false)));
+}
+
+WorkResult PlannerWork::recover(const WorkWatch& watch) {
+  driver_.resetMotionTime();
+  recall();
+  watch.say("plan", 0);
+  const ros::WallTime begin = ros::WallTime::now();
+  const JointVector joints = start();
+  const GripperState gripper = driver_.gripper();
+  if (held_ && !lost(gripper).empty()) held_.reset();
+  if (!held_ && holdsSomething(gripper)) holdUnknown(gripper, joints);
+  if (held_) held_->kept.reset();
+  const CollisionWorld world = worldNow(joints, gripper.width);
+  TouchingPairs touching_pairs = touching(world);
+  if (held_) touching_pairs.emplace_back(held_->object.label(), "table");
+  const Departure departure = planRecovery(arm_, world, joints, touching_pairs, parameters_.planning);
+  const double planning_time = (ros::WallTime::now() - begin).toSec();
+  watch.say("plan", 1);
+
+  std::string said;
+  WorkResult done = result(PickResult::DONE, "");
+  if (!departure.possible) {
+    done = result(PickResult::IN_COLLISION, departure.reason + "; move the arm away by hand");
+  } else if (!departure.trajectory.points.empty()) {
+    watch.show({departure.trajectory});
+    const double way =
+        (arm_.baseFromTcp(departure.end).translation - arm_.baseFromTcp(joints).translation).norm();
+    said = "backed off by " + millimetres(way) + "; ";
+    done = result(driver_.follow(departure.trajectory, driveWatch(watch, "withdraw", held_.has_value())));
+  }
+  if (done.outcome == PickResult::DONE) {
+    const bool holds = held_.has_value();
+    if (!holds) visit_ = {};
+    done = holds ? putDownSomewhere(watch, &said) : openHere(watch, &said);
+    if (done.outcome == PickResult::DONE && holds) said += "opened the gripper";
+  }
+  if (done.outcome == PickResult::DONE) {
+    done.reason = said;
+    keepMemory(std::nullopt);
+  }
+  done.planning_time = planning_time;
+  return done;
+}
+
+}  // namespace monocular_eye_hand
