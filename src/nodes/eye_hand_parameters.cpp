@@ -39,6 +39,7 @@ void EyeHandParameters::check() const {
   require(max_waiting >= 1, "max_waiting", max_waiting, "1 or more");
   require(std::isfinite(table_height), "table_height", table_height, "finite");
   require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");
+  requirePositive("label_height", label_height);
   requirePositive("diagnostic_period", diagnostic_period);
 }
 

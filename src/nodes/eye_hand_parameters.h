@@ -27,6 +27,7 @@ struct EyeHandParameters {
   bool table = true;               ///< the hand keeps above table_height
   double table_height = 0;         ///< z of the table's top in base_frame [m]
   int marker_triangles = 20000;    ///< meshes with more triangles are shown by their sharp edges
+  double label_height = 0.03;      ///< of the markers' texts [m]
   double diagnostic_period = 1.0;  ///< [s, wall clock]
   ObjectMapOptions map;
   Puma560Options arm;
@@ -44,7 +45,8 @@ struct EyeHandParameters {
     v("max_joint_gap", max_joint_gap), v("max_joint_age", max_joint_age);
     v("max_tf_distance", max_tf_distance), v("max_tf_turn", max_tf_turn), v("max_waiting", max_waiting);
     v("table", table), v("table_height", table_height);
-    v("marker_triangles", marker_triangles), v("diagnostic_period", diagnostic_period);
+    v("marker_triangles", marker_triangles), v("label_height", label_height);
+    v("diagnostic_period", diagnostic_period);
     v("map", map), v("arm", arm), v("gripper", gripper), v("sampling", sampling), v("grasp", grasp);
   }
 };
