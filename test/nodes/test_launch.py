@@ -67,6 +67,39 @@ class TestLaunch(unittest.TestCase):
             array = self.expect_cube(process)
             self.assertEqual(array.header.frame_id, "left_optical")
 
+    def test_unrelated_images_leave_no_ghosts(self):
+        """What rviz shows after an image is what was found in it, and nothing of the one before."""
+        os.mkdir(self.folder + "/images")
+        scene_files.write_cube_files(self.folder)
+        shutil.move(self.folder + "/cube.pgm", self.folder + "/images/1.pgm")
+        scene_files.write_pgm(self.folder + "/images/2.pgm", cube_scene.flat_picture())
+        markers = node_process.Collector()
+        subscriber = rospy.Subscriber("/recognizer/markers", MarkerArray, markers, queue_size=100)
+        with node_process.launch("image.launch", [
+                "source:=" + self.folder + "/images", "camera_info:=" + self.folder + "/camera.yaml", self.objects,
+                "rate:=1"]) as process:
+            for _ in range(2):  # the cube comes, goes, and comes again
+                self.assertIsNotNone(self.arrays.wait(lambda message: message.objects), process.text())
+                self.assertIsNotNone(self.arrays.wait(lambda message: not message.objects), process.text())
+                self.arrays.clear()
+            self.assertTrue(markers.wait_count(3), process.text())
+        subscriber.unregister()
+        shown, sizes = set(), set()
+        for message in [message for message in markers.messages if message.markers]:
+            for marker in message.markers:
+                key = (marker.ns, marker.id)
+                if marker.action == Marker.DELETEALL:
+                    shown = set()
+                elif marker.action == Marker.DELETE:
+                    shown.discard(key)
+                else:
+                    shown.add(key)
+            stamp = message.markers[-1].header.stamp
+            added = {(m.ns, m.id) for m in message.markers if m.action == Marker.ADD and m.header.stamp == stamp}
+            self.assertEqual(shown, added)
+            sizes.add(len(shown))
+        self.assertEqual(sizes, {0, 3})  # nothing, or the cube with its axes and text
+
     def kill_recognizer(self):
         """As a crash does."""
         uri = rosgraph.Master("/test").lookupNode("/recognizer")

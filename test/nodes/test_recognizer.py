@@ -215,7 +215,8 @@ class TestRecognizer(unittest.TestCase):
         right = max(point.x / point.z for point in view.points if point.z > 0)
         self.assertAlmostEqual(right, (cube_scene.WIDTH - 1 - cube_scene.CX) / cube_scene.FOCAL)
         self.camera.info.K = [0.0] * 9
-        self.recognize("")  # from here on the calibration is bad
+        for _ in range(2):  # from here on the calibration is bad; what was sent before has arrived
+            self.check(RecognizeResponse.BAD_CAMERA_INFO, "K is all zero")
         views.clear()
         self.recognize("")
         self.assertEqual(views.messages, [])
