@@ -43,6 +43,7 @@ cmake --build "$work/build" >"$work/build.log" 2>&1 || { tail -n 30 "$work/build
 "$work/build/downstream"
 
 for file in "$prefix"/lib/monocular_eye_hand/* "$prefix"/lib/libmonocular_eye_hand_*.so; do
+  [ "$(head -c 2 "$file")" != '#!' ] || continue  # a script
   if ! libraries=$(ldd "$file") || grep -q 'not found' <<<"$libraries" || grep -q "$devel" <<<"$libraries"; then
     echo "$libraries"
     die "$(basename "$file") does not find its libraries where it was installed"
@@ -51,3 +52,25 @@ done
 for installed in launch config models rviz; do
   [ -n "$(ls "$prefix/share/monocular_eye_hand/$installed")" ] || die "$installed/ was not installed"
 done
+
+# As somebody who has the install space alone: launch files find their nodes and files, scripts start, a part is found.
+cat >"$work/use.sh" <<'USE'
+prefix=$1
+. "$prefix/setup.bash"
+set -e
+cd "$prefix/share/monocular_eye_hand"
+[ "$(rospack find monocular_eye_hand)" = "$PWD" ]
+for script in ask clear_frame.py play_bag; do rosrun monocular_eye_hand $script --help >/dev/null; done
+for file in launch/*.launch; do
+  roslaunch --files monocular_eye_hand "$(basename "$file")" bag:=x source:=x camera_info:=x | grep -v "^$prefix" && exit 1
+done
+port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+export ROS_MASTER_URI=http://127.0.0.1:$port ROS_IP=127.0.0.1
+roslaunch -p "$port" monocular_eye_hand image.launch source:=data/golden/bridge.png camera_info:=data/golden/camera.yaml &
+trap 'kill $!; wait $!' EXIT
+until rostopic list >/dev/null 2>&1; do sleep 0.2; kill -0 $!; done
+rosrun monocular_eye_hand ask bridge
+USE
+env -u CMAKE_PREFIX_PATH -u ROS_PACKAGE_PATH -u PYTHONPATH -u LD_LIBRARY_PATH bash "$work/use.sh" "$prefix" >"$work/use.log" 2>&1 ||
+  { cat "$work/use.log"; die "the install space alone cannot be used"; }
+grep -E '^bridge_0 ' "$work/use.log"

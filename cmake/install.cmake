@@ -14,6 +14,8 @@ install(DIRECTORY config models data DESTINATION ${share})
 install(DIRECTORY urdf DESTINATION ${share} FILES_MATCHING PATTERN "*.urdf" PATTERN "*.stl")
 if(MONOCULAR_EYE_HAND_WITH_ROS)
   install(DIRECTORY launch rviz DESTINATION ${share})
+  install(PROGRAMS scripts/ask scripts/clear_frame.py scripts/play_bag
+    DESTINATION ${MONOCULAR_EYE_HAND_BIN_DESTINATION})
 else()  # catkin writes its own package configuration
   include(CMakePackageConfigHelpers)
   set(cmake_files ${MONOCULAR_EYE_HAND_LIB_DESTINATION}/cmake/${PROJECT_NAME})

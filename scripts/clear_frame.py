@@ -97,7 +97,7 @@ class Run:
         os.environ.update(ROS_MASTER_URI="http://127.0.0.1:%d" % self.port, ROS_IP="127.0.0.1", ROS_HOSTNAME="127.0.0.1")
         self.log = open(os.path.join(options.out, "roslaunch.log"), "w") if options.out else subprocess.DEVNULL
         command = ["roslaunch", "-p", str(self.port), "monocular_eye_hand", "demo.launch",
-                   "rviz:=" + str(options.rviz).lower()] + options.arguments
+                   "required:=true", "rviz:=" + str(options.rviz).lower()] + options.arguments
         if options.seed >= 0:
             command.append("seed:=%d" % options.seed)
         self.launch = subprocess.Popen(command, stdout=self.log, stderr=subprocess.STDOUT, start_new_session=True)

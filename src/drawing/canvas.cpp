@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kShift = 4;  // OpenCV draws in 1/16 of a pixel
-constexpr double kTextHeight = 0.55;
+constexpr int kShift = 4;             // OpenCV draws in 1/16 of a pixel
+constexpr double kTextHeight = 0.55;  // in units of OpenCV's font
+constexpr int kMargin = 4;            // of a text's plate [px]
 
 cv::Point fixedPoint(const Eigen::Vector2d& p) {
   // Far outside points are pulled in so that the fixed-point numbers do not overflow; lines are cut before.
@@ -47,17 +50,19 @@ Colour paletteColour(int index) {
   return kColours[((index % count) + count) % count];
 }
 
-Canvas::Canvas(const cv::Mat& grey, const Camera& camera, double dim, int min_width) : camera_(camera) {
+Canvas::Canvas(const cv::Mat& grey, const Camera& camera, double dim, const PictureSize& size)
+    : camera_(camera) {
   if (grey.empty() || (grey.type() != CV_8UC1 && grey.type() != CV_8UC3))
     throw BadInput("drawing: an 8-bit image with one or three channels is needed");
   if (grey.cols != camera.width || grey.rows != camera.height)
     throw BadInput("drawing: the image is " + std::to_string(grey.cols) + "x" + std::to_string(grey.rows) +
                    " but the camera " + std::to_string(camera.width) + "x" + std::to_string(camera.height) +
                    ": use the calibration of this image size");
-  scale_ = std::clamp((min_width + grey.cols - 1) / grey.cols, 1, 8);
+  scale_ = std::clamp((size.min_width + grey.cols - 1) / grey.cols, 1, 8);
   cv::Mat colour = grey;
   if (grey.channels() == 1) cv::cvtColor(grey, colour, cv::COLOR_GRAY2BGR);
   cv::resize(colour, picture_, cv::Size(), scale_, scale_, cv::INTER_LINEAR);
+  text_height_ = kTextHeight * std::max(1.0, double(picture_.cols) / size.text_width);
   if (dim < 1) picture_.convertTo(picture_, -1, dim, 40 * (1 - dim));
   far_ = foldingRadius(camera);
 }
@@ -116,20 +121,30 @@ void Canvas::arrow(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Col
   line(q, q + back - 0.45 * side, colour, width);
 }
 
-void Canvas::textPlate(cv::Point lower_left, const std::string& text, const Colour& colour) {
+int Canvas::strokeWidth() const { return std::max(1, int(std::lround(text_height_ / kTextHeight))); }
+
+cv::Size Canvas::textSize(const std::string& text) const {
   int below = 0;
-  const cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, kTextHeight, 1, &below);
-  const int margin = 4;
-  cv::Rect plate(lower_left.x, lower_left.y - size.height - below - 2 * margin, size.width + 2 * margin,
-                 size.height + below + 2 * margin);
+  cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, text_height_, strokeWidth(), &below);
+  size.height += below;
+  return size;
+}
+
+void Canvas::textPlate(cv::Point lower_left, const std::string& text, const Colour& colour) {
+  const cv::Size size = textSize(text);
+  cv::Rect plate(lower_left.x, lower_left.y - size.height - 2 * kMargin, size.width + 2 * kMargin,
+                 size.height + 2 * kMargin);
   plate.x = std::max(0, std::min(plate.x, picture_.cols - plate.width));
   plate.y = std::max(0, std::min(plate.y, picture_.rows - plate.height));
   const cv::Rect seen = plate & cv::Rect(0, 0, picture_.cols, picture_.rows);
   if (seen.empty()) return;
   cv::Mat area = picture_(seen);
   area.convertTo(area, -1, 0.25);
-  cv::putText(picture_, text, {plate.x + margin, plate.y + margin + size.height}, cv::FONT_HERSHEY_SIMPLEX,
-              kTextHeight, colour, 1, cv::LINE_AA);
+  int below = 0;
+  const int above =
+      cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, text_height_, strokeWidth(), &below).height;
+  cv::putText(picture_, text, {plate.x + kMargin, plate.y + kMargin + above}, cv::FONT_HERSHEY_SIMPLEX,
+              text_height_, colour, strokeWidth(), cv::LINE_AA);
 }
 
 void Canvas::label(const Eigen::Vector2d& p, const std::string& text, const Colour& colour) {
@@ -139,16 +154,35 @@ void Canvas::label(const Eigen::Vector2d& p, const std::string& text, const Colo
   textPlate({clip(at_picture.x()), clip(at_picture.y())}, text, colour);
 }
 
-void Canvas::caption(const std::string& text) { textPlate({0, 0}, text, {255, 255, 255}); }
+void Canvas::caption(const std::string& text) {
+  std::istringstream words(text);
+  std::string line;
+  int bottom = 0;
+  const auto write = [&] {
+    bottom += textSize(line).height + 2 * kMargin;
+    textPlate({0, bottom}, line, {255, 255, 255});
+  };
+  for (std::string word; words >> word;) {
+    const std::string longer = line.empty() ? word : line + " " + word;
+    const bool fits = textSize(longer).width + 2 * kMargin <= picture_.cols;
+    if (!fits && !line.empty()) write();
+    line = fits || line.empty() ? longer : word;
+  }
+  if (!line.empty()) write();
+}
 
 void writePicture(const std::string& path, const cv::Mat& picture) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput(path + ": the folder cannot be made: " + error.message());
   bool written = false;
   try {
     written = cv::imwrite(path, picture);
   } catch (const cv::Exception& e) {
     throw BadInput(path + ": cannot be written as a picture (" + e.err + ")");
   }
-  if (!written) throw BadInput(path + ": cannot be written; does the folder exist?");
+  if (!written) throw BadInput(path + ": cannot be written; is there space, and may this user write there?");
 }
 
 }  // namespace monocular_eye_hand

@@ -30,7 +30,7 @@ Distorted distortByPolynomials(const std::array<double, 8>& d, const Eigen::Vect
   return out;
 }
 
-enum class LensName { kUnnamed, kNone, kPlumbBob, kRational, kEquidistant, kInverse, kUnknown };
+enum class LensName { kUnnamed, kNone, kPlumbBob, kRational, kEquidistant, kInverse, kThinPrism, kUnknown };
 
 /// Names as people write them: letters and digits count, capitals do not.
 LensName lensNamed(const std::string& name) {
@@ -62,6 +62,9 @@ LensName lensNamed(const std::string& name) {
       // These map from raw to rectified, or are of a driver that publishes zeros.
       {"inversebrownconrady", LensName::kInverse},
       {"modifiedbrownconrady", LensName::kInverse},
+      {"thinprism", LensName::kThinPrism},
+      {"thinprismmodel", LensName::kThinPrism},
+      {"thinprismfisheye", LensName::kThinPrism},
   };
   for (const auto& [known, lens] : names) {
     if (simple == known) return lens;
@@ -71,6 +74,21 @@ LensName lensNamed(const std::string& name) {
 
 bool areZero(const double* begin, const double* end) {
   return std::all_of(begin, end, [](double value) { return value == 0; });
+}
+
+/// OpenCV's models of 12 and 14 coefficients: s1 to s4 stand behind k6, and then the tilt of the sensor.
+void refuseThinPrism(const std::string& name, LensName lens, const double* coefficients, size_t count) {
+  constexpr size_t kFirstPrism = 8, kFirstTilt = 12;
+  const auto any = [&](size_t first) {
+    return count > first && !areZero(coefficients + first, coefficients + count);
+  };
+  if (lens == LensName::kEquidistant || (lens != LensName::kThinPrism && !any(kFirstPrism))) return;
+  const std::string terms = any(kFirstTilt) ? "thin prism and tilt terms" : "thin prism terms";
+  throw BadInput(
+      "camera: the distortion " + (name.empty() ? "" : "'" + name.substr(0, 40) + "' ") + "of " +
+      std::to_string(count) + " coefficients has " + terms +
+      " (OpenCV's s1 to s4, tx, ty), which are not supported: calibrate without "
+      "CALIB_THIN_PRISM_MODEL and CALIB_TILTED_MODEL, or rectify the image first and use image_rect");
 }
 
 constexpr double kWidestAngle = 1.52;  // off the axis of an equidistant lens, 87 degrees [rad]
@@ -273,6 +291,7 @@ void setDistortion(Camera* camera, const std::string& name, const double* coeffi
   camera->model = DistortionModel::kNone;
   const bool all_zero = areZero(coefficients, coefficients + count);
   const LensName lens = lensNamed(name);
+  refuseThinPrism(name, lens, coefficients, count);
   if (lens == LensName::kNone && !all_zero)
     throw BadInput("camera: the distortion model is '" + name +
                    "' but coefficients are not zero: name their model (plumb_bob, rational_polynomial)");
@@ -294,15 +313,10 @@ void setDistortion(Camera* camera, const std::string& name, const double* coeffi
 
   const bool rational = lens == LensName::kRational || (lens == LensName::kUnnamed && count > 5);
   const size_t used = rational ? 8 : 5;
-  if (count > used && !areZero(coefficients + used, coefficients + count)) {
-    const std::string got = std::to_string(count);
-    throw BadInput(rational
-                       ? "camera: rational_polynomial is supported with 8 distortion coefficients, got " +
-                             got + " (thin prism and tilt terms are not)"
-                       : "camera: plumb_bob has at most 5 distortion coefficients, got " + got +
-                             " that are not zero: if they are k1, k2, p1, p2, k3 to k6, name the model "
-                             "rational_polynomial");
-  }
+  if (count > used && !areZero(coefficients + used, coefficients + count))
+    throw BadInput("camera: plumb_bob has at most 5 distortion coefficients, got " + std::to_string(count) +
+                   " that are not zero: if they are k1, k2, p1, p2, k3 to k6, name the model "
+                   "rational_polynomial");
   camera->model = rational ? DistortionModel::kRationalPolynomial : DistortionModel::kPlumbBob;
   std::copy(coefficients, coefficients + std::min(count, used), camera->d.begin());
 }

@@ -44,11 +44,18 @@ std::string spelled(const ObjectEntry& entry, ViewOptions views) {
   return "unit=" + entry.unit + ";" + spell.text();
 }
 
+/// Where compiled parts are kept; "" as folder: nowhere.
+struct Cache {
+  std::string folder;
+  bool failed = false;  // something could not be written
+};
+
 /// Symmetries and views, the slow part, from the cache or made anew. Enters the symmetries, which the views
 /// depend on, into the model.
-ViewSphere compiledViews(const ObjectEntry& entry, const ViewOptions& views, const std::string& folder,
+ViewSphere compiledViews(const ObjectEntry& entry, const ViewOptions& views, Cache* cache,
                          const CompileProgress& tell, ObjectModel* model) {
   CompiledParts parts;
+  const std::string& folder = cache->folder;
   const std::string name = folder.empty() ? "" : cacheName(readFileBytes(entry.mesh), spelled(entry, views));
   const bool cached = !folder.empty() && readCache(folder + "/" + name, &parts);
   if (!cached) {
@@ -60,11 +67,11 @@ ViewSphere compiledViews(const ObjectEntry& entry, const ViewOptions& views, con
 
   tell("looking from all sides");
   parts.views = sampleViews(*model, views);
-  if (!folder.empty()) writeCache(folder, name, parts);
+  if (!folder.empty() && !writeCache(folder, name, parts)) cache->failed = true;
   return std::move(parts.views);
 }
 
-KnownObject compile(const ObjectEntry& entry, const ViewOptions& views, const std::string& folder,
+KnownObject compile(const ObjectEntry& entry, const ViewOptions& views, Cache* cache,
                     const CompileProgress& progress) {
   LoadedMesh loaded = readMesh(entry.mesh, entry.unit);
   const size_t triangles = loaded.mesh.triangles.size();
@@ -77,7 +84,7 @@ KnownObject compile(const ObjectEntry& entry, const ViewOptions& views, const st
   std::vector<std::string>& warnings = object.model.warnings;
   warnings.insert(warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
 
-  object.views = compiledViews(entry, views, folder, tell, &object.model);
+  object.views = compiledViews(entry, views, cache, tell, &object.model);
   object.handling = entry.handling;
   return object;
 }
@@ -100,12 +107,17 @@ std::string ModelBase::names() const {
 ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views,
                            const std::string& cache_dir, const CompileProgress& progress) {
   views.check();
-  const std::string folder = cacheFolder(cache_dir);
+  Cache cache{cacheFolder(cache_dir)};
   ModelBase base;
   for (const ObjectEntry& entry : entries) {
     if (base.indexOf(entry.name) >= 0) throw BadInput("the object name \"" + entry.name + "\" is used twice");
-    base.objects.push_back(compile(entry, views, folder, progress));
+    base.objects.push_back(compile(entry, views, &cache, progress));
   }
+  if (cache.failed && progress)
+    progress(
+        "the cache of compiled models, " + cache.folder +
+        ", cannot be written: they are compiled at every start. Make the folder writable, or name another "
+        "one (the parameter cache of the nodes, XDG_CACHE_HOME)");
   warnAboutLookAlikes(&base);
   return base;
 }

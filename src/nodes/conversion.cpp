@@ -44,12 +44,18 @@ std::string secondsText(double seconds) {
   return text;
 }
 
+geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  point.z = p.z();
+  return point;
+}
+
 geometry_msgs::Pose toPose(const Rigid3& a_from_b) {
   const Eigen::Quaterniond q = a_from_b.quaternion().normalized();
   geometry_msgs::Pose pose;
-  pose.position.x = a_from_b.translation.x();
-  pose.position.y = a_from_b.translation.y();
-  pose.position.z = a_from_b.translation.z();
+  pose.position = toPoint(a_from_b.translation);
   pose.orientation.x = q.x();
   pose.orientation.y = q.y();
   pose.orientation.z = q.z();

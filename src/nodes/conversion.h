@@ -1,4 +1,5 @@
 #pragma once
+#include <geometry_msgs/Point.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/PoseWithCovariance.h>
 #include <geometry_msgs/TransformStamped.h>
@@ -17,7 +18,7 @@ namespace monocular_eye_hand {
 std::string withoutSlash(const std::string& frame);
 /// "1.250 s": stamps are too large for the digits of a stream.
 std::string secondsText(double seconds);
-
+geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 /// `a_from_b` is the pose of frame b in frame a.
 geometry_msgs::Pose toPose(const Rigid3& a_from_b);
 Rigid3 fromPose(const geometry_msgs::Pose& pose);

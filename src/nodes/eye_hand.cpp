@@ -4,6 +4,7 @@
 
 #include "monocular_eye_hand/arm/arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "nodes/command_line.h"
 #include "nodes/conversion.h"
 #include "nodes/eye_hand_node.h"
 #include "nodes/eye_hand_setup.h"
@@ -13,6 +14,17 @@
 namespace meh = monocular_eye_hand;
 
 int main(int argc, char** argv) {
+  const meh::NodeHelp help{"eye_hand",
+                           "tells where recognised objects are in the base of the arm that carries the "
+                           "camera, and how to grasp them",
+                           "recognizer/objects, camera_info, joint_states, /tf",
+                           "~objects, ~best_grasps, ~grasp_poses, ~markers, /diagnostics",
+                           "services ~grasp_targets, ~forget",
+                           "eye_hand.launch camera:=/camera objects:=FILE.yaml urdf:=ARM.urdf",
+                           "config/eye_hand.yaml"};
+  int exit_code = 0;
+  if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::EyeHandParameters()), &exit_code))
+    return exit_code;
   ros::init(argc, argv, "eye_hand");
   ros::NodeHandle node;  // keeps the node up
   const meh::NodeWatch watch;
@@ -21,6 +33,8 @@ int main(int argc, char** argv) {
     meh::readOptions(meh::privateParameters({}), &parameters);
     for (std::string* frame : {&parameters.base_frame, &parameters.tool_frame, &parameters.table_frame})
       *frame = meh::withoutSlash(*frame);
+    parameters.objects = meh::pathParameter("objects", parameters.objects);
+    parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
     const meh::Puma560 arm(parameters.arm);
     const meh::ArmDescription description = meh::loadSameArm(parameters, arm);
     meh::warnOfOtherRobot(parameters.urdf);

@@ -15,7 +15,7 @@ EyeHandOutputs::EyeHandOutputs(const ModelBase& models, const EyeHandParameters&
       parameters_(parameters),
       advisor_(advisor),
       arm_now_(std::move(arm_now)),
-      mesh_markers_(models, parameters.marker_triangles, Eigen::Vector3d::UnitZ()),
+      mesh_markers_(models, {parameters.marker_triangles, parameters.label_height, Eigen::Vector3d::UnitZ()}),
       private_node_("~") {
   // Who begins to listen gets the grasps of what is known already.
   const ros::SubscriberStatusCallback listener = [this](const ros::SingleSubscriberPublisher&) {
@@ -65,7 +65,11 @@ void EyeHandOutputs::askForGrasps(const KnownObjects& known) {
 void EyeHandOutputs::work() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return pending_ || stop_; });
+    const auto news = [this] { return pending_ || stop_; };
+    if (!changed_.wait_for(lock, std::chrono::duration<double>(kMarkerRepeat), news)) {
+      repeatMarkers();
+      continue;
+    }
     if (stop_) return;
     pending_ = false;
     const KnownObjects known = newest_;
@@ -82,20 +86,25 @@ void EyeHandOutputs::work() {
 void EyeHandOutputs::publishGrasps(const KnownObjects& known) {
   if (markers_.getNumSubscribers() > 0) markers_.publish(meshes(known));
   const auto start = std::chrono::steady_clock::now();
-  const GraspTargetArray grasps = advisor_.best(known, arm_now_());
+  grasps_ = advisor_.best(known, arm_now_());
   grasp_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  best_grasps_.publish(grasps);
+  best_grasps_.publish(grasps_);
   geometry_msgs::PoseArray poses;
-  poses.header = grasps.header;
-  for (const GraspTarget& target : grasps.targets)
+  poses.header = grasps_.header;
+  for (const GraspTarget& target : grasps_.targets)
     if (target.feasible) poses.poses.push_back(target.grasp);
   grasp_poses_.publish(poses);
-  if (markers_.getNumSubscribers() > 0) markers_.publish(arrows_.build(grasps));
+  if (markers_.getNumSubscribers() > 0) markers_.publish(arrows_.build(grasps_));
+}
+
+void EyeHandOutputs::repeatMarkers() {
+  if (!any_ || markers_.getNumSubscribers() == 0) return;
+  markers_.publish(meshes(newest_));
+  markers_.publish(arrows_.build(grasps_));
 }
 
 visualization_msgs::MarkerArray EyeHandOutputs::meshes(const KnownObjects& known) {
-  std_msgs::Header header;
-  header.stamp = known.stamp;
+  std_msgs::Header header;  // stamp 0: in the base they are where they are
   header.frame_id = parameters_.base_frame;
   std::vector<ObjectEstimate> shown;
   std::vector<int> numbers;
@@ -109,7 +118,7 @@ visualization_msgs::MarkerArray EyeHandOutputs::meshes(const KnownObjects& known
     shown.push_back(estimate);
     numbers.push_back(object.number);
   }
-  return mesh_markers_.build(header, shown, numbers);
+  return mesh_markers_.build(header, shown, numbers, kRepeatedLifetime);
 }
 
 }  // namespace monocular_eye_hand

@@ -33,6 +33,7 @@ class EyeHandOutputs {
   void askForGrasps(const KnownObjects& known);
   void work();
   void publishGrasps(const KnownObjects& known);
+  void repeatMarkers();  // with mutex_ held
   visualization_msgs::MarkerArray meshes(const KnownObjects& known);
 
   const ModelBase& models_;
@@ -40,7 +41,8 @@ class EyeHandOutputs {
   const GraspAdvisor& advisor_;
   const std::function<ArmNow()> arm_now_;
   MarkerBuilder mesh_markers_;
-  GraspArrows arrows_;  // of the thread
+  GraspArrows arrows_;       // of the thread
+  GraspTargetArray grasps_;  // of the thread: the last ones
   std::atomic<double> grasp_seconds_{0};
 
   std::mutex mutex_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "nodes/markers.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -17,6 +19,7 @@ Marker arrow(const GraspTarget& target) {
   // The better the grasp the greener.
   marker.color.r = float(1 - target.quality), marker.color.g = float(target.quality);
   marker.color.a = 1;
+  marker.lifetime = ros::Duration(kRepeatedLifetime);
   return marker;
 }
 
@@ -26,7 +29,7 @@ visualization_msgs::MarkerArray GraspArrows::build(const GraspTargetArray& grasp
   visualization_msgs::MarkerArray array;
   std::vector<std::pair<std::string, int>> shown;
   const auto add = [&](Marker marker, const std::pair<std::string, int>& key) {
-    marker.header = grasps.header;
+    marker.header.frame_id = grasps.header.frame_id;  // stamp 0, as the objects' markers
     marker.ns = key.first;
     marker.id = key.second;
     array.markers.push_back(marker);

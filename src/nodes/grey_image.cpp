@@ -15,12 +15,39 @@ namespace {
 namespace enc = sensor_msgs::image_encodings;
 
 const std::vector<std::string>& convertible() {
-  static const std::vector<std::string> encodings{
-      enc::MONO8,       enc::TYPE_8UC1,    enc::MONO16,       enc::BGR8,         enc::RGB8,
-      enc::BGRA8,       enc::RGBA8,        enc::BGR16,        enc::RGB16,        enc::BGRA16,
-      enc::RGBA16,      enc::YUV422,       enc::BAYER_RGGB8,  enc::BAYER_BGGR8,  enc::BAYER_GBRG8,
-      enc::BAYER_GRBG8, enc::BAYER_RGGB16, enc::BAYER_BGGR16, enc::BAYER_GBRG16, enc::BAYER_GRBG16};
+  static const std::vector<std::string> encodings{enc::MONO8,
+                                                  enc::TYPE_8UC1,
+                                                  enc::MONO16,
+                                                  enc::BGR8,
+                                                  enc::RGB8,
+                                                  enc::BGRA8,
+                                                  enc::RGBA8,
+                                                  enc::BGR16,
+                                                  enc::RGB16,
+                                                  enc::BGRA16,
+                                                  enc::RGBA16,
+                                                  enc::YUV422,
+                                                  enc::BAYER_RGGB8,
+                                                  enc::BAYER_BGGR8,
+                                                  enc::BAYER_GBRG8,
+                                                  enc::BAYER_GRBG8,
+                                                  enc::BAYER_RGGB16,
+                                                  enc::BAYER_BGGR16,
+                                                  enc::BAYER_GBRG16,
+                                                  enc::BAYER_GRBG16,
+                                                  "yuv422_yuy2",
+                                                  "yuyv",
+                                                  "yuyv422",
+                                                  "yuy2",
+                                                  "uyvy"};
   return encodings;
+}
+
+/// Which of two bytes is the pixel's grey: 0 or 1 in packed YUV 4:2:2, -1 in other encodings.
+int greyByte(const std::string& encoding) {
+  for (const char* first : {"yuv422_yuy2", "yuyv", "yuyv422", "yuy2"})
+    if (encoding == first) return 0;
+  return encoding == enc::YUV422 || encoding == "uyvy" ? 1 : -1;
 }
 
 std::string refusal(const std::string& encoding) {
@@ -59,6 +86,21 @@ sensor_msgs::ImageConstPtr inHostOrder(const sensor_msgs::ImageConstPtr& message
   return swapped;
 }
 
+// By hand: not every cv_bridge knows both orders.
+cv_bridge::CvImageConstPtr fromPackedYuv(const sensor_msgs::Image& message, int byte) {
+  const size_t row = size_t(message.width) * 2;
+  if (message.step < row || message.data.size() < size_t(message.step) * message.height)
+    throw BadImage("the image cannot be read as '" + message.encoding +
+                   "': " + std::to_string(message.data.size()) + " bytes in rows of " +
+                   std::to_string(message.step) + ", which " + std::to_string(message.width) + "x" +
+                   std::to_string(message.height) + " pixels of 2 bytes do not fit");
+  const cv::Mat packed(int(message.height), int(message.width), CV_8UC2,
+                       const_cast<uint8_t*>(message.data.data()), message.step);
+  auto grey = boost::make_shared<cv_bridge::CvImage>(message.header, enc::MONO8);
+  cv::extractChannel(packed, grey->image, byte);
+  return grey;
+}
+
 cv_bridge::CvImageConstPtr convert(const sensor_msgs::ImageConstPtr& message) {
   if (message->encoding == enc::MONO8) return cv_bridge::toCvShare(message);
   if (message->encoding == enc::TYPE_8UC1) {
@@ -66,6 +108,7 @@ cv_bridge::CvImageConstPtr convert(const sensor_msgs::ImageConstPtr& message) {
     auto grey = new cv_bridge::CvImage(message->header, enc::MONO8, shared->image);
     return cv_bridge::CvImageConstPtr(grey, [shared](const cv_bridge::CvImage* image) { delete image; });
   }
+  if (const int byte = greyByte(message->encoding); byte >= 0) return fromPackedYuv(*message, byte);
   if (enc::bitDepth(message->encoding) == 16) {
     const auto grey16 = cv_bridge::toCvShare(inHostOrder(message), enc::MONO16);
     return boost::make_shared<cv_bridge::CvImage>(message->header, enc::MONO8, eightBits(grey16->image));

@@ -1,5 +1,6 @@
 #include <ros/ros.h>
 
+#include "nodes/command_line.h"
 #include "nodes/image_source_node.h"
 #include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
@@ -7,6 +8,16 @@
 namespace meh = monocular_eye_hand;
 
 int main(int argc, char** argv) {
+  const meh::NodeHelp help{"image_source",
+                           "plays a camera: publishes an image, a folder of images or a video",
+                           "",
+                           "image_raw, camera_info",
+                           "service set_camera_info",
+                           "image.launch source:=IMAGES camera_info:=CAMERA.yaml",
+                           ""};
+  int exit_code = 0;
+  if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::ImageSourceParameters()), &exit_code))
+    return exit_code;
   ros::init(argc, argv, "image_source");
   ros::NodeHandle node;  // keeps the node up
   const meh::NodeWatch watch;
@@ -14,6 +25,8 @@ int main(int argc, char** argv) {
     meh::ImageSourceParameters parameters;
     // image_transport's plugins keep their settings below the name of the topic they publish.
     meh::readOptions(meh::privateParameters({"image_raw"}), &parameters);
+    parameters.source = meh::pathParameter("source", parameters.source);
+    parameters.camera_info = meh::pathParameter("camera_info", parameters.camera_info);
     ros::AsyncSpinner spinner(1);
     meh::ImageSourceNode source(parameters);
     spinner.start();

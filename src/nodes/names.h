@@ -13,6 +13,7 @@ constexpr char kAskRecognizer[] = "recognizer/recognize";
 constexpr char kObjects[] = "objects";      // ~objects
 constexpr char kMarkers[] = "markers";      // ~markers
 constexpr char kOverlay[] = "overlay";      // ~overlay
+constexpr char kView[] = "view";            // ~view
 constexpr char kRecognize[] = "recognize";  // ~recognize
 
 constexpr char kLocatedObjects[] = "eye_hand/objects";
@@ -21,6 +22,7 @@ constexpr char kPlace[] = "place";      // ~place
 constexpr char kMove[] = "move";        // ~move
 constexpr char kRecover[] = "recover";  // ~recover
 constexpr char kPath[] = "path";        // ~path
+constexpr char kCell[] = "cell";        // ~cell
 
 constexpr char kBestGrasps[] = "best_grasps";      // ~best_grasps
 constexpr char kGraspPoses[] = "grasp_poses";      // ~grasp_poses

@@ -30,7 +30,7 @@ struct WorkedImage {
   ros::Time clock;        ///< CameraFrame::clock
 };
 
-/// ~objects, ~markers, ~overlay and the objects' tf frames.
+/// ~objects, ~markers, ~view, ~overlay and the objects' tf frames.
 class Outputs {
  public:
   /// `models` must outlive it.
@@ -41,21 +41,27 @@ class Outputs {
   std::vector<RecognizedObject> number(const WorkedImage& image);
   /// Numbers the instances, publishes everything, and returns the objects as published.
   std::vector<RecognizedObject> publish(const WorkedImage& image);
+  /// Shows where the camera looks.
+  void showView(const std_msgs::Header& header, const Camera& camera);
   /// Objects seen lately, for the next image at `stamp` [s].
   std::vector<ObjectEstimate> previous(double stamp) const { return instances_.previous(stamp); }
 
  private:
+  /// Of markers, as long as images take now [s]; 0: for ever.
+  double lifetime() const;
   void publishFrames(const std_msgs::Header& header, const std::vector<ObjectEstimate>& objects,
                      const std::vector<int>& numbers);
   void publishOverlay(const WorkedImage& image, const std::vector<int>& numbers);
 
   const ModelBase& models_;
   std::string frame_prefix_;
+  double marker_lifetime_;
+  double last_seconds_ = 0;  // of the last image worked on
   Instances instances_;
   MarkerBuilder marker_builder_;
   ros::NodeHandle private_node_;
   image_transport::ImageTransport transport_;
-  ros::Publisher objects_, markers_;
+  ros::Publisher objects_, markers_, view_;
   image_transport::Publisher overlay_;
   tf2_ros::TransformBroadcaster broadcaster_;
 };

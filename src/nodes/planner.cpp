@@ -3,6 +3,7 @@
 #include <atomic>
 #include <csignal>
 
+#include "nodes/command_line.h"
 #include "nodes/conversion.h"
 #include "nodes/parameter_server.h"
 #include "nodes/planner_node.h"
@@ -16,6 +17,16 @@ void onSignal(int) { interrupted = true; }
 }  // namespace
 
 int main(int argc, char** argv) {
+  const meh::NodeHelp help{"planner",
+                           "plans and drives the arm: picks objects up, puts them down",
+                           "joint_states, gripper/state, eye_hand/objects",
+                           "arm_controller/command, gripper/command, ~path, ~cell, /diagnostics",
+                           "actions ~pick, ~place, ~move, ~recover",
+                           "planner.launch objects:=FILE.yaml urdf:=ARM.urdf",
+                           "config/planner.yaml"};
+  int exit_code = 0;
+  if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::PlannerParameters()), &exit_code))
+    return exit_code;
   // The node's own handlers: an arm that moves is stopped before the topics go away.
   ros::init(argc, argv, "planner", ros::init_options::NoSigintHandler);
   ros::NodeHandle node;  // keeps the node up
@@ -24,6 +35,8 @@ int main(int argc, char** argv) {
     // actionlib keeps its settings below the names of the actions.
     meh::readOptions(meh::privateParameters({"pick", "place", "move", "recover"}), &parameters);
     parameters.base_frame = meh::withoutSlash(parameters.base_frame);
+    parameters.objects = meh::pathParameter("objects", parameters.objects);
+    parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
     const meh::NodeWatch watch([] { interrupted = true; });
     ros::AsyncSpinner spinner(2);
     meh::PlannerNode planner(parameters, watch);

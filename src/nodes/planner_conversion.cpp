@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kMarkerStep = 0.02;    // between points of the line [s]
 constexpr double kMarkerWidth = 0.003;  // of the line [m]
+constexpr double kMarkerLife = 60.0;    // of the line [s]
 
 double widthOf(double value, const char* field, double most) {
   if (value >= 0 && value <= most + 1e-9) return std::min(value, most);
@@ -71,6 +72,7 @@ visualization_msgs::Marker pathMarker(const std::string& frame, const ToolArm& a
   marker.header.frame_id = frame;
   marker.header.stamp = ros::Time::now();
   marker.ns = "path";
+  marker.lifetime = ros::Duration(kMarkerLife);
   marker.type = visualization_msgs::Marker::LINE_STRIP;
   marker.action = visualization_msgs::Marker::ADD;
   marker.pose.orientation.w = 1;
@@ -78,11 +80,8 @@ visualization_msgs::Marker pathMarker(const std::string& frame, const ToolArm& a
   marker.color.r = 0.1f, marker.color.g = 0.8f, marker.color.b = 0.9f, marker.color.a = 1;
   for (const Trajectory& motion : motions)
     for (double t = 0; t < motion.duration() + kMarkerStep; t += kMarkerStep) {
-      const Eigen::Vector3d p =
-          arm.baseFromTcp(motion.sample(std::min(t, motion.duration())).position).translation;
-      geometry_msgs::Point point;
-      point.x = p.x(), point.y = p.y(), point.z = p.z();
-      marker.points.push_back(point);
+      const TrajectoryState at = motion.sample(std::min(t, motion.duration()));
+      marker.points.push_back(toPoint(arm.baseFromTcp(at.position).translation));
     }
   return marker;
 }

@@ -1,13 +1,15 @@
 #include "nodes/planner_node.h"
 
-#include <visualization_msgs/Marker.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
 #include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/conversion.h"
+#include "nodes/markers.h"
 #include "nodes/names.h"
+#include "nodes/planner_markers.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -78,6 +80,12 @@ PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& n
           },
           false) {
   path_ = private_node_.advertise<visualization_msgs::Marker>(names::kPath, 1, true);
+  path_.publish(deleteAllMarker(parameters_.base_frame));  // what a former planner left
+  cell_ = private_node_.advertise<visualization_msgs::MarkerArray>(names::kCell, 1, true);
+  cell_.publish(cellMarkers(parameters_));
+  cell_timer_ = node_.createWallTimer(ros::WallDuration(kMarkerRepeat), [this](const ros::WallTimerEvent&) {
+    cell_.publish(cellMarkers(parameters_));
+  });
   objects_subscriber_ = node_.subscribe(names::kLocatedObjects, 10, &PlannerNode::onObjects, this);
   updater_.setHardwareID("none");
   updater_.add("robot", this, &PlannerNode::robotStatus);

@@ -58,14 +58,14 @@ class PlannerNode {
   size_t done_ = 0, not_done_ = 0, known_ = 0, remembered_ = 0;
 
   ros::NodeHandle node_, private_node_;
-  ros::Publisher path_;
+  ros::Publisher path_, cell_;
   ros::Subscriber objects_subscriber_;
   Server<PickAction> pick_;
   Server<PlaceAction> place_;
   Server<MoveAction> move_;
   Server<RecoverAction> recover_;
   diagnostic_updater::Updater updater_;
-  ros::WallTimer timer_;
+  ros::WallTimer timer_, cell_timer_;
 };
 
 }  // namespace monocular_eye_hand

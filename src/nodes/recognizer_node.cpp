@@ -91,6 +91,7 @@ void RecognizerNode::workOn(const CameraFrame& frame, const std::vector<PendingR
   try {
     const WorkedImage image = prepare(frame);
     warnAboutCamera(image.camera);
+    outputs_.showView(image.header, image.camera);
     diagnostics_.cameraGood(std::to_string(image.grey.cols) + "x" + std::to_string(image.grey.rows) + " " +
                             frame.image->encoding);
     // One object by name is looked for on its own: that search ends at the first good match. The search for

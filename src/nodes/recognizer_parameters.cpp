@@ -27,6 +27,10 @@ void RecognizerParameters::check() const {
   requirePositive("diagnostic_period", diagnostic_period);
   if (marker_triangles < 0)
     throw BadInput("marker_triangles = " + std::to_string(marker_triangles) + " must not be negative");
+  requirePositive("label_height", label_height);
+  if (!(marker_lifetime >= 0))
+    throw BadInput("marker_lifetime = " + std::to_string(marker_lifetime) +
+                   " must not be negative; 0: markers stay for ever");
   if (image_transport.empty())
     throw BadInput("image_transport is empty: say raw, or a transport that is installed");
 }

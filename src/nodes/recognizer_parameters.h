@@ -19,6 +19,8 @@ struct RecognizerParameters {
   std::string image_transport = "raw";  ///< transport of the image subscription
   double service_timeout = 5.0;         ///< longest wait of ~recognize for an image [s, wall clock]
   int marker_triangles = 20000;         ///< meshes with more triangles are shown by their sharp edges
+  double label_height = 0.02;           ///< of the markers' texts [m]
+  double marker_lifetime = 5.0;         ///< markers go when no image came for so long [s]; 0: never
   double diagnostic_period = 1.0;       ///< [s, wall clock]
   InstanceOptions instances;
   RecognitionOptions recognition;
@@ -36,6 +38,8 @@ struct RecognizerParameters {
     v("image_transport", image_transport);
     v("service_timeout", service_timeout);
     v("marker_triangles", marker_triangles);
+    v("label_height", label_height);
+    v("marker_lifetime", marker_lifetime);
     v("diagnostic_period", diagnostic_period);
     v("instances", instances);
     v("recognition", recognition);

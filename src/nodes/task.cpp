@@ -4,6 +4,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "nodes/command_line.h"
 #include "nodes/conversion.h"
 #include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
@@ -85,6 +86,16 @@ class TaskNode {
 namespace meh = monocular_eye_hand;
 
 int main(int argc, char** argv) {
+  const meh::NodeHelp help{"task",
+                           "clears a frame of the known objects that lie in it",
+                           "eye_hand/objects, recognizer/objects, joint_states, gripper/state",
+                           "feedback and result of its action",
+                           "action ~clear_frame",
+                           "task.launch objects:=FILE.yaml urdf:=ARM.urdf",
+                           "config/task.yaml"};
+  int exit_code = 0;
+  if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::TaskParameters()), &exit_code))
+    return exit_code;
   ros::init(argc, argv, "task");
   ros::NodeHandle node;  // keeps the node up
   const meh::NodeWatch watch;
@@ -92,6 +103,8 @@ int main(int argc, char** argv) {
     meh::TaskParameters parameters;
     meh::readOptions(meh::privateParameters({}), &parameters);
     parameters.base_frame = meh::withoutSlash(parameters.base_frame);
+    parameters.objects = meh::pathParameter("objects", parameters.objects);
+    parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
     const meh::ModelBase models = meh::loadModelBase(parameters.objects, {}, parameters.cache);
     ros::AsyncSpinner spinner(2);  // topics and answers arrive while the task waits for them
     spinner.start();

@@ -2,6 +2,7 @@
 
 #include "monocular_eye_hand/arm/arm_description.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "nodes/command_line.h"
 #include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
 #include "nodes/work_cell_node.h"
@@ -26,12 +27,25 @@ std::vector<meh::NamedMesh> loadMeshes(const std::string& model_base) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const meh::NodeHelp help{
+      "work_cell",
+      "plays an arm with gripper and camera over a table of parts",
+      "arm_controller/command, gripper/command, ~take_away",
+      "joint_states, gripper/state, camera/image_raw, camera/camera_info, ~truth, /clock",
+      "",
+      "work_cell.launch",
+      "config/cell.yaml (below cell)"};
+  int exit_code = 0;
+  if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::WorkCellParameters()), &exit_code))
+    return exit_code;
   ros::init(argc, argv, "work_cell");
   ros::NodeHandle node;  // keeps the node up
   const meh::NodeWatch watch;
   try {
     meh::WorkCellParameters parameters;
     meh::readOptions(meh::privateParameters({}), &parameters);
+    parameters.objects = meh::pathParameter("objects", parameters.objects);
+    parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
     meh::ArmDescription arm = meh::loadArmDescription(parameters.urdf);
     meh::requireSameArm(arm, meh::Puma560(parameters.arm));
     meh::CellScene scene = meh::makeCellScene(parameters.cell, loadMeshes(parameters.objects));

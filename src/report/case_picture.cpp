@@ -69,7 +69,8 @@ cv::Mat casePicture(const CameraImage& image, const std::vector<Outline>& outlin
 
   // Drawn at the size that it is shown in, so that lines keep their width.
   const int scale = std::clamp((kPanelWidth + crop.width - 1) / crop.width, 1, 8);
-  Canvas canvas(image.grey, image.camera, 0.85, scale * image.grey.cols);
+  const PictureSize size{scale * image.grey.cols, std::numeric_limits<int>::max()};  // cut to a part
+  Canvas canvas(image.grey, image.camera, 0.85, size);
   const cv::Rect drawn(crop.x * canvas.scale(), crop.y * canvas.scale(), crop.width * canvas.scale(),
                        crop.height * canvas.scale());
   for (size_t k = outlines.size(); k-- > 0;) {

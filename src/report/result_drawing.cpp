@@ -55,8 +55,8 @@ std::string objectLabel(const ObjectEstimate& object) {
 }
 
 cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
-                   const RecognitionResult& result, bool with_rejected) {
-  Canvas canvas(grey, camera, 0.85);
+                   const RecognitionResult& result, bool with_rejected, const PictureSize& size) {
+  Canvas canvas(grey, camera, 0.85, size);
   std::vector<const ObjectEstimate*> shown;  // best last: on top
   if (with_rejected)
     for (const ObjectEstimate& object : result.rejected) shown.push_back(&object);

@@ -16,7 +16,8 @@ SceneObject part(const std::vector<NamedMesh>& models, const std::string& name, 
     if (models[k].name == name)
       return {
           name, int(k), models[k].mesh, {expSO3({0, 0, yaw * kDegree}), {x, y, 0}}, {albedo, 0.10, 35, {}}};
-  throw BadInput("demo scenes: the model base has no object '" + name + "'");
+  throw BadInput("--set demo and golden show the parts of config/objects.yaml, and this model base has no '" +
+                 name + "': leave --set out for random scenes of its own parts");
 }
 
 /// The same part in another of its resting poses: number `pose` of the most stable ones.

@@ -282,7 +282,8 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingFile);
   app.add_option("--set", args.settings, "one option, KEY=VALUE or GROUP.KEY=VALUE; may be repeated")
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_option(
          "--proposals", args.proposals,
          "dump of an earlier run: its poses are judged again instead of searching, in a fraction of the "

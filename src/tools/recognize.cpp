@@ -111,6 +111,9 @@ void writeJson(const std::string& path, const nlohmann::ordered_json& document) 
     std::cout << text << std::flush;
     return;
   }
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code ignored;  // the file tells
+  if (!folder.empty()) fs::create_directories(folder, ignored);
   std::ofstream file(path);
   file << text;
   file.close();
@@ -204,7 +207,8 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingFile);
   app.add_option("--set", args.settings, "one option, KEY=VALUE or GROUP.KEY=VALUE; may be repeated")
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_flag("--show-options", args.show_options, "print the effective options as YAML and stop");
   app.add_option("images", args.images, "image files, folders or printf patterns (img_%04d.png)");
   int exit_code = 0;

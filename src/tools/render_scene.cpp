@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Arguments {
-  std::string objects, out, set = "demo", level = "easy", camera, appearance = "plain";
+  std::string objects, out, set = "random", level = "easy", camera, appearance = "plain";
   unsigned seed = 1;
   int count = 1, samples = 0;
   meh::BopRequest bop;
@@ -105,8 +105,9 @@ void renderBop(const Arguments& arguments) {
 void addPictureOptions(CLI::App* app, Arguments* arguments) {
   app->add_option("--objects", arguments->objects, "model base (YAML)")->required();
   app->add_option("--out", arguments->out, "folder for NAME.png, NAME.truth.json and camera.yaml");
-  app->add_option("--set", arguments->set, "demo, golden (the pictures of the package) or random")
-      ->check(CLI::IsMember({"demo", "golden", "random"}))
+  app->add_option("--set", arguments->set,
+                  "random scenes of these parts, or the pictures of the package: demo, golden")
+      ->check(CLI::IsMember({"random", "demo", "golden"}))
       ->capture_default_str();
   app->add_option("--level", arguments->level, "of random scenes; mixed: one after the other, with --bop")
       ->check(CLI::IsMember({"easy", "medium", "hard", "mixed"}))

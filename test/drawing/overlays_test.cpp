@@ -1,8 +1,10 @@
 #include "monocular_eye_hand/drawing/overlays.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -114,7 +116,44 @@ TEST(Canvas, RefusesWhatDoesNotFit) {
   EXPECT_THROW(Canvas(cv::Mat(), lens()), BadInput);
   EXPECT_THROW(Canvas(cv::Mat(480, 640, CV_32FC1), lens()), BadInput);
   EXPECT_THROW(Canvas(cv::Mat(240, 320, CV_8UC1), lens()), BadInput);
-  EXPECT_THROW(writePicture("/nowhere/at/all.png", greyImage()), BadInput);
+  EXPECT_THROW(writePicture("/dev/null/all.png", greyImage()), BadInput);
+}
+
+TEST(Canvas, PicturesGoIntoNewFolders) {
+  const std::string folder = testing::TempDir() + "/pictures_" + std::to_string(getpid());
+  for (const char* name : {"/one.png", "/deep/er/two.png"}) {
+    writePicture(folder + name, greyImage());
+    EXPECT_EQ(cv::imread(folder + name).cols, greyImage().cols) << name;
+  }
+  std::filesystem::remove_all(folder);
+}
+
+/// Rows of the picture that its text touches.
+int rowsOfCaption(int width, const PictureSize& size, const std::string& text) {
+  Camera camera{width, width / 2, 2.0 * width, 2.0 * width, width / 2.0, width / 4.0, DistortionModel::kNone,
+                {}};
+  Canvas canvas(cv::Mat(width / 2, width, CV_8UC1, cv::Scalar(120)), camera, 1, size);
+  canvas.caption(text);
+  cv::Mat grey, rows;
+  cv::cvtColor(canvas.picture(), grey, cv::COLOR_BGR2GRAY);
+  cv::reduce(grey != 120, rows, 1, cv::REDUCE_MAX);
+  return cv::countNonZero(rows);
+}
+
+TEST(Canvas, TextGrowsWithThePicture) {
+  const int small = rowsOfCaption(640, {640, 800}, "text"), large = rowsOfCaption(3200, {640, 800}, "text");
+  EXPECT_GT(small, 12);
+  EXPECT_NEAR(large, 4 * small, 0.35 * large);
+  EXPECT_EQ(rowsOfCaption(640, {640, 800}, "text"), rowsOfCaption(800, {640, 800}, "text"));
+}
+
+TEST(Canvas, LongCaptionsTakeSeveralLines) {
+  const std::string sentence =
+      "no candidate of any object has enough of its contour in the image to be told from the ground ";
+  const int one = rowsOfCaption(640, {640, 800}, "no candidate"),
+            two = rowsOfCaption(640, {640, 800}, sentence);
+  EXPECT_GE(two, 2 * one - 4);
+  EXPECT_GT(rowsOfCaption(640, {640, 800}, sentence + sentence + sentence), two);
 }
 
 TEST(Overlays, ObjectLiesOnItsProjectedEdgesAndHidesTheHiddenOnes) {

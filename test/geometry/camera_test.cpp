@@ -159,6 +159,21 @@ TEST(Camera, DistortionModelsGoByManyNames) {
   EXPECT_EQ(padded.d[4], -0.012);
 }
 
+// OpenCV writes 12 or 14 coefficients; those behind the eighth may be zero, else they are named.
+TEST(Camera, ThinPrismAndTiltAreRefusedByName) {
+  std::vector<double> d{0.1, -0.2, 0.001, 0.002, 0.03, 0.01, 0.02, 0.03, 0, 0, 0, 0};
+  EXPECT_EQ(with("rational_polynomial", d).model, DistortionModel::kRationalPolynomial);
+  EXPECT_EQ(with("", d).d[7], 0.03);
+  d[9] = 0.004;
+  for (const char* name : {"rational_polynomial", "plumb_bob", ""})
+    expectRefused([&] { with(name, d); }, {"thin prism terms", "CALIB_THIN_PRISM_MODEL", "image_rect"});
+  d.resize(14);
+  d[12] = 0.01;
+  expectRefused([&] { with("", d); }, {"thin prism and tilt terms"});
+  expectRefused([&] { with("thin_prism", {0.1, 0.2}); }, {"'thin_prism'", "not supported"});
+  expectRefused([&] { with("THIN_PRISM_FISHEYE", {0.1, 0.2, 0, 0}); }, {"'THIN_PRISM_FISHEYE'"});
+}
+
 // A point seen through a window of binned pixels lies where the whole image has it.
 TEST(Camera, WindowsKeepRays) {
   const Camera c = plain();

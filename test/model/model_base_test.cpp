@@ -224,6 +224,24 @@ TEST(Cache, AFolderThatCannotBeWrittenIsNoError) {
   EXPECT_EQ(compileModelBase({entry("frame")}, {}, file + "/cache").objects.size(), 1u);
 }
 
+// Once, however many objects could not be kept; not at all where there is no cache, or where all went well.
+TEST(Cache, AFolderThatCannotBeWrittenIsToldOnce) {
+  const Folder folder;
+  const std::string file = folder.write("taken", "a file where the folder should be");
+  const auto toldOf = [](const std::string& cache) {
+    std::vector<std::string> told;
+    compileModelBase({entry("frame"), entry("bridge")}, {}, cache, [&](const std::string& text) {
+      if (text.find("cannot be written") != std::string::npos) told.push_back(text);
+    });
+    return told;
+  };
+  const std::vector<std::string> told = toldOf(file + "/cache");
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_THAT(told[0], HasSubstr(file + "/cache"));
+  EXPECT_TRUE(toldOf("none").empty());
+  EXPECT_TRUE(toldOf(folder.path + "/new").empty());
+}
+
 TEST(Cache, FolderFollowsTheEnvironment) {
   const Folder folder;
   setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);

@@ -416,10 +416,18 @@ class TestEyeHand(unittest.TestCase):
         self.use([("bridge", BRIDGE), ("frame", FRAME)])  # markers, too
         mesh = markers.wait(lambda message: any(m.type == Marker.TRIANGLE_LIST for m in message.markers))
         self.assertIsNotNone(mesh)
-        self.assertEqual(mesh.markers[0].header.frame_id, "base_link")
-        self.assertLess(numpy.abs(scene.pose_matrix(mesh.markers[0].pose) - BRIDGE).max(), 1e-6)
+        bridge = next(m for m in mesh.markers if m.ns == "bridge" and m.type == Marker.TRIANGLE_LIST)
+        self.assertEqual(bridge.header.frame_id, "base_link")
+        self.assertLess(numpy.abs(scene.pose_matrix(bridge.pose) - BRIDGE).max(), 1e-6)
+        self.assertEqual(bridge.color.a, 1)
         arrow = markers.wait(lambda message: any(m.ns == "bridge/grasp" for m in message.markers))
         self.assertIsNotNone(arrow)
+        # What lasts is shown again and again without another view, and would go with the node.
+        for space in ("bridge", "bridge/grasp", "frame/label"):
+            markers.clear()
+            again = markers.wait(lambda message: any(m.ns == space for m in message.markers))
+            self.assertIsNotNone(again, space)
+            self.assertGreater(next(m for m in again.markers if m.ns == space).lifetime.to_sec(), 0)
         markers.clear()
         self.forget("bridge", -1)
         gone = markers.wait(lambda message: any(

@@ -69,6 +69,7 @@ TEST(EyeHandParameters, AreChecked) {
   refused("max_waiting = 0", [](P* p) { p->max_waiting = 0; });
   refused("table_height", [](P* p) { p->table_height = std::nan(""); });
   refused("marker_triangles = -1", [](P* p) { p->marker_triangles = -1; });
+  refused("label_height = 0", [](P* p) { p->label_height = 0; });
   refused("diagnostic_period", [](P* p) { p->diagnostic_period = 0; });
 }
 

@@ -115,6 +115,43 @@ TEST(GreyImage, OtherSupportedEncodingsConvert) {
   EXPECT_EQ(greyImage(message(enc::YUV422, ramp(CV_8UC2)))->image.type(), CV_8UC1);
 }
 
+// Packed YUV: Y U Y V of USB cameras and U Y V Y. The grey is the Y, as it is.
+TEST(GreyImage, PackedYuvGivesItsY) {
+  const cv::Mat grey = ramp(CV_8UC1), chroma(grey.size(), CV_8UC1, cv::Scalar(90));
+  cv::Mat y_first, y_last;
+  cv::merge(std::vector<cv::Mat>{grey, chroma}, y_first);
+  cv::merge(std::vector<cv::Mat>{chroma, grey}, y_last);
+  const auto of = [](const std::string& encoding, const cv::Mat& pixels) {
+    sensor_msgs::ImagePtr image = message(enc::YUV422, pixels);
+    image->encoding = encoding;
+    return image;
+  };
+  for (const char* encoding : {"yuv422_yuy2", "yuyv", "yuyv422", "yuy2"})
+    EXPECT_EQ(cv::norm(greyImage(of(encoding, y_first))->image, grey, cv::NORM_INF), 0) << encoding;
+  for (const char* encoding : {"yuv422", "uyvy"})
+    EXPECT_EQ(cv::norm(greyImage(of(encoding, y_last))->image, grey, cv::NORM_INF), 0) << encoding;
+  sensor_msgs::ImagePtr padded = of("yuyv", y_first);  // rows may be longer than their pixels
+  sensor_msgs::Image wide = *padded;
+  wide.step = padded->step + 6;
+  wide.data.assign(size_t(wide.step) * wide.height, 7);
+  for (uint32_t row = 0; row < wide.height; ++row)
+    std::copy_n(padded->data.begin() + row * padded->step, padded->step, wide.data.begin() + row * wide.step);
+  EXPECT_EQ(cv::norm(greyImage(boost::make_shared<sensor_msgs::Image>(wide))->image, grey, cv::NORM_INF), 0);
+}
+
+TEST(GreyImage, RefusesDamagedPackedYuv) {
+  for (const std::string encoding : {"yuyv", "yuv422"}) {
+    sensor_msgs::ImagePtr image = message(enc::YUV422, ramp(CV_8UC2));
+    image->encoding = encoding;
+    image->data.resize(image->data.size() - 1);
+    EXPECT_THAT(refusal(image), HasSubstr("cannot be read as '" + encoding + "'"));
+    image = message(enc::YUV422, ramp(CV_8UC2));
+    image->encoding = encoding;
+    image->step = image->width;
+    EXPECT_THAT(refusal(image), HasSubstr("cannot be read as '" + encoding + "'"));
+  }
+}
+
 TEST(GreyImage, RefusesOtherEncodingsAndNamesTheKnown) {
   EXPECT_THAT(
       refusal(message(enc::TYPE_32FC1, cv::Mat(4, 4, CV_32FC1, cv::Scalar(1)))),

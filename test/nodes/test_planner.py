@@ -17,7 +17,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Pose
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
-from visualization_msgs.msg import Marker
+from visualization_msgs.msg import Marker, MarkerArray
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import node_process
@@ -81,7 +81,8 @@ class PlannerInCell(unittest.TestCase):
         cls.heard = {}
         cls.subscribers = []
         for topic, kind in (("/work_cell/truth", WorkCellTruth), ("/joint_states", JointState),
-                            ("/planner/path", Marker), ("/diagnostics", DiagnosticArray)):
+                            ("/planner/path", Marker), ("/planner/cell", MarkerArray),
+                            ("/diagnostics", DiagnosticArray)):
             cls.heard[topic] = node_process.Collector()
             cls.subscribers.append(rospy.Subscriber(topic, kind, cls.heard[topic], queue_size=1000))
         if cls.heard["/joint_states"].wait() is None or cls.heard["/work_cell/truth"].wait() is None:
@@ -183,6 +184,15 @@ class PlannerInCell(unittest.TestCase):
 
 class TestPlanner(PlannerInCell):
     # In the order of their names: the cell goes on from test to test.
+
+    def test_cell_is_shown(self):
+        """Table and drop zone, again and again, so that they go with the planner."""
+        for _ in range(2):
+            cell = self.newest("/planner/cell")
+            self.assertEqual({m.ns for m in cell.markers}, {"table", "drop_zone"})
+            self.assertTrue(all(m.lifetime.to_sec() > 0 for m in cell.markers))
+            table = next(m for m in cell.markers if m.ns == "table")
+            self.assertAlmostEqual(table.pose.position.z + table.scale.z / 2, rospy.get_param("/planner/table/z"))
 
     def test_1_goals_that_cannot_be(self):
         """Answered with a reason, and nothing moves."""

@@ -8,6 +8,7 @@ import threading
 import time
 import unittest
 
+import numpy
 import rospy
 import rostest
 import rospkg
@@ -223,12 +224,14 @@ class TestRecognizer(unittest.TestCase):
         markers, overlays = node_process.Collector(), node_process.Collector()
         subscribers = [rospy.Subscriber("/recognizer/markers", MarkerArray, markers, queue_size=10),
                        rospy.Subscriber("/recognizer/overlay", Image, overlays, queue_size=10)]
-        array = markers.wait(lambda message: message.markers)
+        array = markers.wait(lambda message: any(marker.action == Marker.ADD for marker in message.markers))
         self.assertIsNotNone(array)
-        mesh = array.markers[0]
+        mesh = next(marker for marker in array.markers if marker.action == Marker.ADD)
         self.assertEqual((mesh.type, mesh.ns, mesh.id), (Marker.TRIANGLE_LIST, "cube", 0))
         self.assertEqual(len(mesh.points), 36)
         self.assertLess(cube_scene.distance_to_truth(mesh.pose), 0.006)
+        self.assertEqual(mesh.color.a, 1)
+        self.assertEqual(mesh.lifetime.to_sec(), 5)  # it goes when the camera dies
         overlay = overlays.wait()
         self.assertIsNotNone(overlay)
         self.assertEqual(overlay.encoding, "bgr8")
@@ -239,6 +242,75 @@ class TestRecognizer(unittest.TestCase):
         self.assertIsNotNone(gone, "the mesh stays although the object is gone")
         for subscriber in subscribers:
             subscriber.unregister()
+
+    def test_view_of_the_camera(self):
+        """Where the camera looks, in its frame; not while its calibration cannot be used."""
+        views = node_process.Collector()
+        subscriber = rospy.Subscriber("/recognizer/view", Marker, views, queue_size=10)
+        listener = rospy.Subscriber("/recognizer/objects", RecognizedObjectArray, lambda _: None)
+        view = views.wait()
+        self.assertIsNotNone(view)
+        self.assertEqual(view.header.frame_id, cube_scene.FRAME)
+        self.assertTrue(view.frame_locked)
+        self.assertGreater(view.lifetime.to_sec(), 0)
+        right = max(point.x / point.z for point in view.points if point.z > 0)
+        self.assertAlmostEqual(right, (cube_scene.WIDTH - 1 - cube_scene.CX) / cube_scene.FOCAL)
+        self.camera.info.K = [0.0] * 9
+        for _ in range(2):  # from here on the calibration is bad; what was sent before has arrived
+            self.check(RecognizeResponse.BAD_CAMERA_INFO, "K is all zero")
+        views.clear()
+        self.recognize("")
+        self.assertEqual(views.messages, [])
+        for one in (subscriber, listener):
+            one.unregister()
+
+    def warnings_of(self, info):
+        """What a node that is new says of this camera."""
+        objects = os.path.join(rospkg.RosPack().get_path("monocular_eye_hand"), "config", "cube.yaml")
+        self.camera.info = info
+        with node_process.node("recognizer", "other", ["_objects:=" + objects, "_cache:=" + self.cache]) as node:
+            service = "/other/recognize"
+            rospy.wait_for_service(service, node_process.START)
+            status = rospy.ServiceProxy(service, Recognize)("").status
+            rospy.ServiceProxy(service, Recognize)("")  # not a second time
+            self.assertTrue(node.running())
+            text = node.text()
+        return status, [line for line in text.splitlines() if "WARN" in line and "camera_info:" in line]
+
+    def test_odd_calibrations_are_warned_of_once(self):
+        """A principal point far from the middle, right and down: another binning, or an image that was cropped."""
+        for cx, cy in ((590.0, cube_scene.CY), (cube_scene.CX, 30.0)):
+            info = cube_scene.camera_info()
+            info.K = [cube_scene.FOCAL, 0, cx, 0, cube_scene.FOCAL, cy, 0, 0, 1]
+            status, warnings = self.warnings_of(info)
+            self.assertNotEqual(status, RecognizeResponse.BAD_CAMERA_INFO)
+            self.assertEqual(len(warnings), 1, warnings)
+            self.assertIn("far from the middle", warnings[0])
+            self.assertIn("binning", warnings[0])
+        self.assertEqual(self.warnings_of(cube_scene.camera_info())[1], [])
+
+    def test_lenses_that_cannot_be_used(self):
+        """One that folds over inside the image, one with terms that are not known, one that is no lens."""
+        for model, coefficients, words in (
+                ("plumb_bob", [-0.9, 0.1, 0, 0, 0], "folds over inside the image"),
+                ("rational_polynomial", [0.1] * 8 + [0.004, 0, 0, 0], "thin prism terms"),
+                ("omnidirectional", [0.1], "'omnidirectional' is not supported")):
+            self.camera.info = cube_scene.camera_info()
+            self.camera.info.distortion_model, self.camera.info.D = model, coefficients
+            self.check(RecognizeResponse.BAD_CAMERA_INFO, words, "/camera_info")
+        # The matrix of a binned image with the size of the whole one.
+        self.camera.info = cube_scene.camera_info()
+        self.camera.info.K = [150, 0, 80, 0, 150, 60, 0, 0, 1]
+        self.camera.info.width, self.camera.info.height = 1280, 960
+        self.check(RecognizeResponse.BAD_CAMERA_INFO, "the image is 640x480 but camera_info describes 1280x960")
+
+    def test_packed_yuv_of_usb_cameras(self):
+        picture = numpy.full(self.cube.shape + (2,), 128, numpy.uint8)
+        for encoding, grey in (("yuv422_yuy2", 0), ("yuyv", 0), ("yuv422", 1)):
+            pixels = picture.copy()
+            pixels[:, :, grey] = self.cube
+            self.camera.image = cube_scene.image_message(pixels, encoding)
+            self.check(RecognizeResponse.FOUND, "found cube_0")
 
     def test_nothing_found_is_published_with_a_reason(self):
         self.camera.image = cube_scene.image_message(self.flat)

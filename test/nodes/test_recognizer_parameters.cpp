@@ -55,6 +55,8 @@ TEST(RecognizerParameters, AreChecked) {
   refused([](RecognizerParameters* p) { p->service_timeout = 0; });
   refused([](RecognizerParameters* p) { p->diagnostic_period = -1; });
   refused([](RecognizerParameters* p) { p->marker_triangles = -1; });
+  refused([](RecognizerParameters* p) { p->label_height = 0; });
+  refused([](RecognizerParameters* p) { p->marker_lifetime = -1; });
   refused([](RecognizerParameters* p) { p->image_transport.clear(); });
 }
 

@@ -120,6 +120,34 @@ TEST_F(Recognize, bad_input_is_told) {
   EXPECT_THAT(refusal(base + "--options options.yaml blank.png"), HasSubstr("'budget' is 'many'"));
 }
 
+// The image behind a setting is an image, wherever both stand.
+TEST_F(Recognize, a_setting_takes_one_word) {
+  save("blank.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(120)));
+  save("other.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)));
+  for (const char* arguments : {"--set budget=50 blank.png", "blank.png --set budget=50",
+                                "--set budget=50 --set grouping.max_per_kind=9 blank.png",
+                                "--set budget=50 blank.png --set grouping.max_per_kind=9"}) {
+    const ProgramResult result = recognize(arguments);
+    EXPECT_EQ(result.code, 0) << arguments << ": " << result.err;
+    EXPECT_THAT(result.out, HasSubstr("blank.png: ")) << arguments;
+  }
+  const ProgramResult two = recognize("--set budget=50 blank.png other.png");
+  EXPECT_EQ(two.code, 0) << two.err;
+  EXPECT_THAT(two.out, HasSubstr("other.png: "));
+}
+
+TEST_F(Recognize, results_go_into_new_folders) {
+  save("blank.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(120)));
+  const ProgramResult result =
+      recognize("--overlay page/overlay.png --explain page --json deep/er/r.json blank.png");
+  EXPECT_EQ(result.code, 0) << result.err;
+  for (const char* file : {"page/overlay.png", "page/index.html", "deep/er/r.json"})
+    EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
+  const ProgramResult none = recognize("--overlay blank.png/overlay.png blank.png");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.err, HasSubstr("blank.png/overlay.png: "));
+}
+
 TEST_F(Recognize, shows_the_options_it_would_use) {
   write("options.yaml", "recognition:\n  max_distance: 3.25\n");
   const ProgramResult result =

@@ -19,7 +19,7 @@ std::string objectLabel(const ObjectEstimate& object);
 /// asked. `camera`: of `grey`. Throws BadInput when they do not fit together or an object index is not in
 /// `models`.
 cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
-                   const RecognitionResult& result, bool with_rejected = false);
+                   const RecognitionResult& result, bool with_rejected = false, const PictureSize& size = {});
 /// One picture per accepted or ambiguous object, in the order of RecognitionResult::objects (seed, figure
 /// 11).
 std::vector<cv::Mat> drawBackProjections(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
