@@ -41,13 +41,9 @@ Marker tableMarker(const PlannerParameters& parameters) {
 }
 
 Marker boxMarker(const PlannerParameters& parameters, int k) {
-  const PlannerBox& box = parameters.boxes[size_t(k)];
+  const CellBox& box = parameters.boxes[size_t(k)];
   Marker marker = begin(parameters, "boxes", k, Marker::CUBE);
-  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(box.yaw, Eigen::Vector3d::UnitZ()) *
-                                Eigen::AngleAxisd(box.pitch, Eigen::Vector3d::UnitY()) *
-                                Eigen::AngleAxisd(box.roll, Eigen::Vector3d::UnitX()))
-                                   .toRotationMatrix();
-  marker.pose = toPose(Rigid3{turn, {box.x, box.y, box.z}});
+  marker.pose = toPose(box.baseFromBox());
   setSize(box.size[0], box.size[1], box.size[2], &marker);
   return marker;
 }

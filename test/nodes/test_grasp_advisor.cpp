@@ -60,7 +60,7 @@ class Advisor : public testing::Test {
       seen.covariance.diagonal().setConstant(sigma * sigma);
       view.objects.push_back(seen);
     }
-    EXPECT_EQ(map.add(view, ros::Time(100)).refused, "");
+    EXPECT_EQ(map.add(view, ros::Time(100)).report.refused, "");
     return map.known();
   }
   static ArmNow ready() {
@@ -187,16 +187,16 @@ TEST(SharedMapTest, StampsAreKeptToTheNanosecond) {
   EXPECT_EQ(known.messages[0].header.stamp, first);
   EXPECT_EQ(known.messages[1].header.stamp, second);
   EXPECT_EQ(known.stamp, second);
-  EXPECT_NE(map.add(view, second).refused, "");
+  EXPECT_NE(map.add(view, second).report.refused, "");
   EXPECT_NE(map.known().refused, "");
   const ros::Time forgotten(1700000003, 0), late(1700000002, 0);
   EXPECT_EQ(map.forget(bridge.object, 0, forgotten), 1);
   EXPECT_EQ(map.forget(bridge.object, 0, forgotten), 0);
   view.stamp = late.toSec();
-  EXPECT_NE(map.add(view, late).refused, "") << "taken before it was carried away";
+  EXPECT_NE(map.add(view, late).report.refused, "") << "taken before it was carried away";
   view.stamp = second.toSec();
   EXPECT_EQ(map.forget(-1, -1, forgotten), 1);
-  EXPECT_EQ(map.add(view, second).refused, "");  // stamps may start again
+  EXPECT_EQ(map.add(view, second).report.refused, "");  // stamps may start again
   map.clear();
   EXPECT_TRUE(map.known().stamp.isZero());
   EXPECT_TRUE(map.known().objects.empty());

@@ -60,7 +60,7 @@ TEST(PlannerMarkers, TheDropZoneLiesOnTheTable) {
 TEST(PlannerMarkers, EveryBoxIsShown) {
   PlannerParameters parameters;
   EXPECT_FALSE(find(cellMarkers(parameters), "boxes"));
-  PlannerBox wall, post;
+  CellBox wall, post;
   wall.name = "wall", wall.x = 1, wall.size = {{0.1, 2, 1}};
   post.name = "post", post.z = 0.5, post.roll = 0.1, post.pitch = 0.2, post.yaw = 0.3,
   post.size = {{1, 2, 3}};
