@@ -11,9 +11,6 @@ import sys
 import tempfile
 import time
 
-import numpy
-from PIL import Image as Picture
-
 WIDTH, HEIGHT = 1500, 850  # of the screen and of rviz's window
 SMALL = 1200               # width of the picture
 COLOURS = 96               # of the picture; enough for rviz, and small
@@ -51,13 +48,10 @@ class Screen:
         if self.name == ":":
             raise RuntimeError("Xvfb does not start")
 
-    def picture(self):
-        """The screen as an X window dump (XWD): a header of big-endian words, a colour map, rows of B, G, R, 0."""
-        content = numpy.fromfile(os.path.join(self.folder, "Xvfb_screen0"), numpy.uint8)
-        words = content[:100].view(">u4")
-        width, height, row, begin = int(words[4]), int(words[5]), int(words[12]), int(words[0] + 12 * words[19])
-        pixels = content[begin:begin + row * height].reshape(height, row)[:, :4 * width].reshape(height, width, 4)
-        return Picture.fromarray(numpy.ascontiguousarray(pixels[:, :, 2::-1]))
+    def save(self, path):
+        """The screen, an X window dump (XWD), as a small picture with few colours."""
+        subprocess.run(["convert", "xwd:" + os.path.join(self.folder, "Xvfb_screen0"), "-resize", str(SMALL), "+dither",
+                        "-colors", str(COLOURS), path], check=True)
 
     def close(self):
         self.server.terminate()
@@ -144,20 +138,18 @@ CONFIGURATIONS = {
 
 def make(name, options):
     arguments, ready, file = CONFIGURATIONS[name]
+    path = os.path.join(options.out, file)
     screen = Screen()
     launch = Launch(screen, arguments())
     try:
         ready(launch)
         time.sleep(options.settle)
-        picture = screen.picture()
-    except RuntimeError as e:
+        screen.save(path)
+    except (RuntimeError, subprocess.CalledProcessError) as e:
         raise RuntimeError("%s: %s\n%s" % (name, e, launch.text()))
     finally:
         launch.close()
         screen.close()
-    picture = picture.resize((SMALL, round(SMALL * picture.height / picture.width)), Picture.LANCZOS)
-    path = os.path.join(options.out, file)
-    picture.quantize(COLOURS).save(path, optimize=True)
     print("%s: %d kB" % (path, os.path.getsize(path) // 1000), flush=True)
 
 

@@ -13,8 +13,6 @@ constexpr double kLeast = -2, kMost = 8;  // of a lead; farther says no more [lo
 constexpr size_t kOthersElsewhere = 2;    // better ones elsewhere that are passed over
 constexpr double kImprobable = 0;         // log-odds below which a candidate is no instance of its own
 
-double leadOver(double own, double other) { return std::clamp(own - other, kLeast, kMost); }
-
 // The value that a quarter of them lies below; the values come in another order.
 double lowerQuartile(std::vector<double>* values) {
   const auto quarter = values->begin() + std::ptrdiff_t(values->size() / 4);
@@ -42,6 +40,10 @@ Lead leadOf(double own, std::vector<double> in_place, std::vector<double> elsewh
 }
 
 }  // namespace
+
+double leadOver(double own_log_odds, double other_log_odds) {
+  return std::clamp(own_log_odds - other_log_odds, kLeast, kMost);
+}
 
 std::vector<Lead> leadsAmong(const std::vector<Competitor>& competitors) {
   std::map<int, std::vector<int>> of_object;

@@ -17,6 +17,7 @@ constexpr double kFarBehind = 4;        // log-odds behind the likeliest: no con
 constexpr double kSamePlace = 0.35;     // of the diameter between the centres
 constexpr double kOtherPose = 10;       // nearer poses are taken for one [px]
 constexpr double kResolved = 2.5;       // ... and those whose surfaces lie nowhere farther apart [px]
+constexpr double kNoRival = -1e3;       // log-odds behind everything
 constexpr int kMostRays = 2500;         // of one contestant whose faces are looked at
 
 double ownLogOdds(const SearchTask& task, const Candidate& candidate) {
@@ -107,6 +108,28 @@ std::vector<double> compete(const SearchTask& task, const std::vector<int>& comp
   return sharesOf(log_odds);
 }
 
+// Probability that one of them is right: of the likeliest, when the others speak half as much against it as
+// strangers in its place would. Where the part is, its turned poses are nearly as good; where it is not, so
+// is the best of many wrong ones.
+double probabilityTogether(const SearchTask& task, const std::vector<Candidate>& candidates,
+                           const std::vector<int>& competing, const Explanation& explanation) {
+  double best_outside = kNoRival;
+  for (int r : explanation.rivals)
+    if (candidates[size_t(r)].object == candidates[size_t(explanation.candidate)].object &&
+        contestantOf(task, candidates, competing, r) < 0)
+      best_outside = std::max(best_outside, ownLogOdds(task, candidates[size_t(r)]));
+
+  double together = candidates[size_t(explanation.candidate)].probability;
+  for (int c : competing) {
+    const double own = ownLogOdds(task, candidates[size_t(c)]);
+    Lead lead = candidates[size_t(c)].lead;
+    const double over_strangers = leadOver(own, best_outside);
+    if (over_strangers > lead.in_place) lead.in_place = 0.5 * (lead.in_place + over_strangers);
+    together = std::max(together, task.options.decision.probability(own, lead));
+  }
+  return together;
+}
+
 // The probabilities after a contest. Whoever did not take part is no likelier than the contestant whose pose
 // it has, or than the last one.
 void share(const SearchTask& task, const Explanation& explanation, const std::vector<int>& competing,
@@ -145,8 +168,7 @@ std::vector<Candidate> settleContests(const SearchTask& task, std::vector<Candid
       for (int c : competing) candidates[size_t(c)] = movedByFeatures(task, candidates[size_t(c)]);
       report->counts["contestants"] += double(competing.size());
 
-      double together = candidates[size_t(explanation.candidate)].probability;
-      for (int c : competing) together = std::max(together, candidates[size_t(c)].probability);
+      const double together = probabilityTogether(task, candidates, competing, explanation);
       const std::vector<double> shares = compete(task, competing, &candidates);
       share(task, explanation, competing, together, shares, &candidates);
     }

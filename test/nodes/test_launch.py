@@ -165,11 +165,17 @@ class TestLaunch(unittest.TestCase):
         return words in process.text()
 
     def test_camera_view_without_images_says_what_to_give(self):
-        for frame in ("auto", "eye"):
-            arguments = [] if frame == "auto" else ["_camera_frame:=" + frame]
-            with node_process.node("camera_view", "lonely_view", arguments + ["image_raw:=/nowhere"]) as node:
-                words = "camera:=NAMESPACE" if frame == "auto" else "stands beside the camera's frame eye"
-                self.assertTrue(self.said(node, words), node.text())
+        with node_process.node("camera_view", "lonely_view", ["image_raw:=/nowhere"]) as node:
+            self.assertTrue(self.said(node, "camera:=NAMESPACE"), node.text())
+
+    def test_camera_view_needs_no_image_when_it_is_told_the_frame(self):
+        frames = tf2_ros.Buffer()
+        listener = tf2_ros.TransformListener(frames)
+        arguments = ["_camera_frame:=eye", "_view_frame:=lonely_view", "image_raw:=/nowhere"]
+        with node_process.node("camera_view", "lonely_view", arguments) as node:
+            self.assertTrue(frames.can_transform("eye", "lonely_view", rospy.Time(0), rospy.Duration(node_process.START)),
+                            node.text())
+        listener.unregister()
 
     def player(self, *arguments):
         paths = roslib.packages.find_node("monocular_eye_hand", "play_bag")

@@ -14,6 +14,9 @@ struct Lead {
   double in_place = 0;  ///< over the best other pose in its place
 };
 
+/// A lead in log-odds: their difference within its bounds.
+double leadOver(double own_log_odds, double other_log_odds);
+
 /// A candidate among the others of its image.
 struct Competitor {
   int object = 0;
