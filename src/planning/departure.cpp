@@ -13,9 +13,8 @@ constexpr double kLengths[] = {0.01, 0.02, 0.05, 0.1};                // of a st
 constexpr double kWithdrawals[] = {0.1, 0.05};                        // out of a narrow place [m]
 constexpr double kRecoveries[] = {0.01, 0.02, 0.05, 0.1, 0.15, 0.2};  // out of a collision [m]
 constexpr int kMostMet = 20;                                          // pairs that meet where the arm stands
-constexpr double kDeeper = 1e-3;               // than at the start: depths of meshes are not exact [m]
-constexpr int kPartingSteps = 4;               // between two points of a way
-constexpr double kTurns[] = {0.05, 0.1, 0.2};  // of a single joint [rad]
+constexpr int kPartingSteps = 4;                                      // between two points of a way
+constexpr double kTurns[] = {0.05, 0.1, 0.2};                         // of a single joint [rad]
 
 void pad(CollisionWorld* world, double padding) {
   world->setPadding(padding);
@@ -38,18 +37,18 @@ bool lineFree(const PathTest& test, const std::vector<JointVector>& points) {
   return true;
 }
 
-/// What meets at the beginning of a way goes no deeper on it.
+/// What meets at the beginning of a way parts on it, once and for all. How deep it meets tells nothing: that
+/// is not known of meshes. The shortest way out is tried first.
 bool parts(const CollisionWorld& bare, const std::vector<JointVector>& way) {
-  const double limit = 1e-3;  // of clearance() [m]
-  const auto nearest = [&](const JointVector& joints) {
-    const CollisionPair pair = bare.clearance(joints, limit);
-    return pair.first.empty() ? limit : pair.distance;
-  };
-  const double deepest = nearest(way.front()) - kDeeper;
+  bool parted = false;
   for (size_t i = 0; i + 1 < way.size(); ++i)
-    for (int k = 1; k <= kPartingSteps; ++k)
-      if (nearest(way[i] + (way[i + 1] - way[i]) * k / kPartingSteps) < deepest) return false;
-  return true;
+    for (int k = 1; k <= kPartingSteps; ++k) {
+      const bool meets =
+          !bare.firstCollision(way[i] + (way[i + 1] - way[i]) * k / kPartingSteps).first.empty();
+      if (parted && meets) return false;
+      parted = !meets;
+    }
+  return parted;
 }
 
 std::vector<JointVector> straightWay(const ToolArm& arm, const JointVector& start,

@@ -185,7 +185,7 @@ class PlannerInCell(unittest.TestCase):
 class TestPlanner(PlannerInCell):
     # In the order of their names: the cell goes on from test to test.
 
-    def test_cell_is_shown(self):
+    def test_0_cell_is_shown(self):
         """Table and drop zone, again and again, so that they go with the planner."""
         for _ in range(2):
             cell = self.newest("/planner/cell")

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The node planner after it was killed with a part in the hand, with a hand that holds what nobody knows, and in a start in
 collision: ~recover leads out."""
+import math
 import os
 import signal
 import sys
@@ -94,7 +95,8 @@ class TestPlannerRecover(test_planner.PlannerInCell):
         self.expect(self.do("move", MoveGoal(link="gripper_tcp", poses=[down(0.45, -0.25, 0.5)])), MoveResult.DONE)
         phantom = LocatedObject(name="bridge", instance=7)
         phantom.pose.pose = down(0.45, -0.25, 0.49)
-        phantom.pose.pose.orientation.x, phantom.pose.pose.orientation.w = 0, 1
+        phantom.pose.pose.orientation.x = 0  # upright, and across the fingers, which would else stand beside it
+        phantom.pose.pose.orientation.z = phantom.pose.pose.orientation.w = math.sqrt(0.5)
         self.tell_objects(more=[phantom])
         self.expect(self.do("move", MoveGoal(joints=READY)), MoveResult.IN_COLLISION, "bridge 7", "/planner/recover")
         self.recover("backed off by")
