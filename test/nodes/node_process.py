@@ -54,7 +54,9 @@ class Process:
 
     def __init__(self, command):
         self.output = tempfile.TemporaryFile("w+")
-        self.process = subprocess.Popen(command, stdout=self.output, stderr=subprocess.STDOUT, start_new_session=True)
+        environment = dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED="1")  # what a node says is there when it says it
+        self.process = subprocess.Popen(command, stdout=self.output, stderr=subprocess.STDOUT, start_new_session=True,
+                                        env=environment)
 
     def __enter__(self):
         return self
