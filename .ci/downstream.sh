@@ -4,8 +4,9 @@
 . "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-prefix=$work/prefix
-cmake --install "$build" --prefix "$prefix" >"$work/install.log" 2>&1 || { tail "$work/install.log"; die "the installation failed"; }
+# catkin's setup files go to the prefix of the configuration, whatever --prefix says.
+prefix=$work$(sed -n 's/^CMAKE_INSTALL_PREFIX:PATH=//p' "$build/CMakeCache.txt")
+DESTDIR=$work cmake --install "$build" >"$work/install.log" 2>&1 || { tail "$work/install.log"; die "the installation failed"; }
 
 mkdir -p "$work/source"
 cat >"$work/source/CMakeLists.txt" <<'CMAKE'
