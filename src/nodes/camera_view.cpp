@@ -30,8 +30,7 @@ class CameraView {
 
  private:
   void onImage(const sensor_msgs::ImageConstPtr& image) {
-    std::string frame = image->header.frame_id;
-    frame.erase(0, frame.find_first_not_of('/'));  // tf knows no leading slash
+    const std::string frame = withoutSlash(image->header.frame_id);
     if (frame.empty()) {
       ROS_WARN_THROTTLE(
           kTellAgain,

@@ -24,12 +24,17 @@ Marker begin(const PlannerParameters& parameters, const char* space, int id, int
   marker.type = type;
   marker.lifetime = ros::Duration(kRepeatedLifetime);
   marker.pose.orientation.w = 1;
-  marker.color.r = 0.55f, marker.color.g = 0.5f, marker.color.b = 0.45f, marker.color.a = 1;
+  marker.color.r = 0.55f;
+  marker.color.g = 0.5f;
+  marker.color.b = 0.45f;
+  marker.color.a = 1;
   return marker;
 }
 
 void setSize(double x, double y, double z, Marker* marker) {
-  marker->scale.x = x, marker->scale.y = y, marker->scale.z = z;
+  marker->scale.x = x;
+  marker->scale.y = y;
+  marker->scale.z = z;
 }
 
 Marker tableMarker(const PlannerParameters& parameters) {
@@ -59,7 +64,9 @@ Marker dropZoneMarker(const PlannerParameters& parameters) {
   const double z = parameters.table.z + kAboveTable;
   Marker marker = begin(parameters, "drop_zone", 0, Marker::LINE_LIST);
   marker.scale.x = kLineWidth;
-  marker.color.r = 0.2f, marker.color.g = 0.9f, marker.color.b = 0.4f;
+  marker.color.r = 0.2f;
+  marker.color.g = 0.9f;
+  marker.color.b = 0.4f;
   if (zone.list.empty()) {
     const Rigid3 rectangle = upright(zone.x, zone.y, z, zone.yaw);
     const double a = zone.length / 2, b = zone.width / 2;

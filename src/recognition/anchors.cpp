@@ -69,10 +69,9 @@ void addStraight(const FlatView& flat, int first, int last, double diameter, std
     return;
   }
 
-  // Half a step lies before the first sample, and half of one behind the last.
-  const double gaps = last - first;
-  const Eigen::Vector2d half = 0.5 * (q - p) / gaps;
   if ((q - p).norm() < kMinShare * diameter) return;
+  // Half a step lies before the first sample, and half of one behind the last.
+  const Eigen::Vector2d half = 0.5 * (q - p) / double(last - first);
   rulers->push_back({p - half, q + half, ownSamples(flat.place.size(), first, last + 1)});
 }
 
