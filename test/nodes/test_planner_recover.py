@@ -12,7 +12,6 @@ import xmlrpc.client
 import rosgraph
 import rospy
 import rostest
-from std_msgs.msg import Float64
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import node_process
@@ -109,14 +108,7 @@ class TestPlannerRecover(test_planner.PlannerInCell):
     def test_6_the_part_falls_on_the_way(self):
         self.hold("bridge_1")
         goal = Goal(self.clients["recover"], RecoverGoal())
-        end = time.monotonic() + WALL
-        while "carry" not in goal.stages:
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.005)
-        thief = rospy.Publisher("/gripper/command", Float64, queue_size=1)
-        while thief.get_num_connections() == 0:
-            time.sleep(0.005)
-        thief.publish(0.08)
+        self.open_while_it_carries(goal)
         self.expect(goal.result(), RecoverResult.GRASP_LOST, "the gripper lost bridge 1")
 
 
