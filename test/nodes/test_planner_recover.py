@@ -5,7 +5,6 @@ import math
 import os
 import signal
 import sys
-import time
 import unittest
 import xmlrpc.client
 
@@ -18,7 +17,7 @@ import node_process
 import test_planner
 from monocular_eye_hand.msg import (LocatedObject, MoveGoal, MoveResult, PickGoal, PickResult, PlaceGoal, PlaceResult,
                                     RecoverAction, RecoverGoal, RecoverResult)
-from test_planner import READY, WALL, Goal, down
+from test_planner import READY, Goal, down
 
 MEMORY = "/planner_memory"
 
