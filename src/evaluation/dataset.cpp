@@ -50,6 +50,12 @@ std::vector<GroundTruth> readTruth(const json& entries, const json* infos, const
   return truth;
 }
 
+std::optional<Rigid3> cameraFromWorld(const json& camera, const std::string& where) {
+  if (!camera.contains("cam_R_w2c")) return std::nullopt;
+  return Rigid3{matrixAt(camera, "cam_R_w2c", where),
+                numbersAt<3>(camera, "cam_t_w2c", where) * kMetresPerMillimetre};
+}
+
 void readScene(const fs::path& dir, int scene, const std::set<int>& wanted, std::vector<BopImage>* images) {
   const std::string camera_path = (dir / "scene_camera.json").string(),
                     gt_path = (dir / "scene_gt.json").string();
@@ -69,6 +75,7 @@ void readScene(const fs::path& dir, int scene, const std::set<int>& wanted, std:
     if (has_info && !infos.contains(key))
       throw BadInput((dir / "scene_gt_info.json").string() + ": image " + key + " is missing");
     image.intrinsics = matrixAt(cameras[key], "cam_K", camera_path + ": image " + key);
+    image.camera_from_world = cameraFromWorld(cameras[key], camera_path + ": image " + key);
     image.truth = readTruth(item.value(), has_info ? &infos[key] : nullptr, gt_path + ": image " + key);
     image.path = findImage(dir, image.id);
     images->push_back(std::move(image));

@@ -161,7 +161,12 @@ Json cameraOf(const WrittenImage& image) {
   const Camera& camera = image.camera;
   Eigen::Matrix3d k;
   k << camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1;
-  return {{"cam_K", rowByRow(k)}, {"depth_scale", 1.0}};
+  Json out = {{"cam_K", rowByRow(k)}, {"depth_scale", 1.0}};
+  if (!image.camera_from_world) return out;
+
+  out["cam_R_w2c"] = rowByRow(image.camera_from_world->rotation);
+  out["cam_t_w2c"] = inMillimetres(image.camera_from_world->translation);
+  return out;
 }
 
 std::vector<BopTarget> targetsOf(int scene, const std::vector<WrittenImage>& images) {

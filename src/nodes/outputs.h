@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct WorkedImage {
   std_msgs::Header header;  ///< stamp of the image, optical frame
   cv::Mat grey;
   Camera camera;
-  std::string only;  ///< the one name looked for, "": all
+  std::optional<SupportPlane> support;  ///< what the parts stand on, where that is known
+  std::string only;                     ///< the one name looked for, "": all
   RecognitionResult result;
   double seconds = 0;
   uint64_t restarts = 0;  ///< CameraFrame::restarts

@@ -57,6 +57,7 @@ RecognizerNode::RecognizerNode(const Recognizer& recognizer, const RecognizerPar
       input_(parameters.rectified ? ImageKind::kRectified : ImageKind::kRaw, parameters.image_transport),
       diagnostics_(input_, parameters.diagnostic_period,
                    [this] { return !parameters_.on_request || !requests_.empty(); }),
+      support_(parameters.support),
       service_node_(privateNodeOn(&service_queue_)),
       service_spinner_(kServiceThreads, &service_queue_) {
   worker_ = std::thread(&RecognizerNode::work, this);
@@ -89,7 +90,10 @@ void RecognizerNode::workOn(const CameraFrame& frame, const std::vector<PendingR
     for (const PendingRequestPtr& request : requests) requests_.answer(request, reply(status, text));
   };
   try {
-    const WorkedImage image = prepare(frame);
+    WorkedImage image = prepare(frame);
+    if (frame.restarts != support_restarts_) support_.restart();
+    support_restarts_ = frame.restarts;
+    image.support = support_.at(image.header);
     warnAboutCamera(image.camera);
     outputs_.showView(image.header, image.camera);
     diagnostics_.cameraGood(std::to_string(image.grey.cols) + "x" + std::to_string(image.grey.rows) + " " +
@@ -148,6 +152,7 @@ Recognize::Response RecognizerNode::search(WorkedImage image, const std::string&
   const auto start = std::chrono::steady_clock::now();
   RecognitionRequest request;
   request.only = only;
+  request.support = image.support;
   request.previous = outputs_.previous(image.header.stamp.toSec());
   image.only = only;
   image.result = recognizer_.recognize(image.grey, image.camera, request);

@@ -13,6 +13,7 @@
 #include "nodes/outputs.h"
 #include "nodes/recognizer_parameters.h"
 #include "nodes/requests.h"
+#include "nodes/support_input.h"
 
 namespace monocular_eye_hand {
 
@@ -43,6 +44,8 @@ class RecognizerNode {
   CameraInput input_;
   Diagnostics diagnostics_;
   Requests requests_;
+  SupportInput support_;
+  uint64_t support_restarts_ = 0;  // CameraFrame::restarts of the image before
   ros::CallbackQueue service_queue_;
   ros::NodeHandle service_node_;
   ros::ServiceServer service_;

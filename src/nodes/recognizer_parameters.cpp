@@ -1,5 +1,6 @@
 #include "nodes/recognizer_parameters.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -16,7 +17,23 @@ void requirePositive(const char* field, double value) {
 
 }  // namespace
 
+void SupportParameters::check() const {
+  if (!std::isfinite(height)) throw BadInput("support.height is not finite");
+  if (!(tolerance >= 0))
+    throw BadInput("support.tolerance = " + std::to_string(tolerance) + " must not be negative [m]");
+  if (!(wait >= 0)) throw BadInput("support.wait = " + std::to_string(wait) + " must not be negative [s]");
+}
+
+SupportPlane supportPlane(const Rigid3& camera_from_frame, const SupportParameters& parameters) {
+  SupportPlane plane;
+  plane.normal = camera_from_frame.rotation.col(2).normalized();
+  plane.offset = plane.normal.dot(camera_from_frame.translation) + parameters.height;
+  plane.tolerance = parameters.tolerance;
+  return plane;
+}
+
 void RecognizerParameters::check() const {
+  support.check();
   if (objects.empty())
     throw BadInput(
         "objects is not set: give the path of the model base, e.g. config/objects.yaml of this package");

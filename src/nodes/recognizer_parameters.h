@@ -1,10 +1,31 @@
 #pragma once
 #include <string>
 
+#include "monocular_eye_hand/recognition/object_estimate.h"
 #include "monocular_eye_hand/recognition/options.h"
 #include "nodes/instances.h"
 
 namespace monocular_eye_hand {
+
+/// The plane that the parts stand on.
+struct SupportParameters {
+  std::string frame;         ///< level frame of tf, z up; "": no plane is known
+  double height = 0;         ///< z of the plane in it [m]
+  double tolerance = 0.004;  ///< a part may seem to reach this much below it [m]
+  double wait = 0.2;         ///< longest wait for tf of an image [s, wall clock]
+
+  void check() const;  ///< throws BadInput naming field, value and rule
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("frame", frame);
+    v("height", height);
+    v("tolerance", tolerance);
+    v("wait", wait);
+  }
+};
+
+/// The plane in the camera's axes. `camera_from_frame`: of the parameters' frame.
+SupportPlane supportPlane(const Rigid3& camera_from_frame, const SupportParameters& parameters);
 
 /// Parameters of the node recognizer: the keys of config/recognizer.yaml. Defaults stand here and nowhere
 /// else.
@@ -22,6 +43,7 @@ struct RecognizerParameters {
   double label_height = 0.02;           ///< of the markers' texts [m]
   double marker_lifetime = 5.0;         ///< markers go when no image came for so long [s]; 0: never
   double diagnostic_period = 1.0;       ///< [s, wall clock]
+  SupportParameters support;
   InstanceOptions instances;
   RecognitionOptions recognition;
 
@@ -41,6 +63,7 @@ struct RecognizerParameters {
     v("label_height", label_height);
     v("marker_lifetime", marker_lifetime);
     v("diagnostic_period", diagnostic_period);
+    v("support", support);
     v("instances", instances);
     v("recognition", recognition);
   }

@@ -26,7 +26,7 @@ std::optional<Candidate> recalculated(const SearchTask& task, const Candidate& c
 
   again.pose.camera_from_object = model.canonical(again.pose.camera_from_object, &again.view);
   verify(model, task.image, &again);
-  again.probability = probability(again.terms, task.options.decision);
+  weighAlone(task, &again);
   return again;
 }
 

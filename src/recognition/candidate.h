@@ -11,6 +11,7 @@
 #include "monocular_eye_hand/recognition/contest.h"
 #include "monocular_eye_hand/recognition/evidence_terms.h"
 #include "monocular_eye_hand/recognition/lead.h"
+#include "recognition/support_evidence.h"
 
 namespace monocular_eye_hand {
 
@@ -55,6 +56,7 @@ struct Candidate {
   int matched_corners = 0;          ///< size of its constellation, see growConstellation
   std::vector<Occluder> occluders;  ///< verify() does not miss what they hide
   cv::Rect bounding_box;
+  SupportEvidence support;  ///< of the plane that parts stand on, where one is known
   double probability = 0;
   /// settleContests(): of the probability that one of the poses held against each other is right. It ranks
   /// among other explanations by what it would have alone.

@@ -26,6 +26,8 @@ int commonCount(const std::vector<int>& a, const std::vector<int>& b) {
   return n;
 }
 
+double logistic(double log_odds) { return 1 / (1 + std::exp(-std::clamp(log_odds, -50.0, 50.0))); }
+
 // Whether nothing that is drawn within one box can share cells or edge points with the other: neither box is
 // known to be empty, and a cell lies between them.
 bool farApart(const cv::Rect& a, const cv::Rect& b) {
@@ -57,7 +59,7 @@ std::vector<std::vector<int>> allConflicts(const std::vector<Candidate>& candida
 std::vector<Candidate> weighAmongOthers(std::vector<Candidate> candidates, const DecisionWeights& weights) {
   std::vector<Competitor> competitors;
   for (const Candidate& candidate : candidates)
-    competitors.push_back({candidate.object, weights.logOdds(decisionValues(candidate.terms)), {}});
+    competitors.push_back({candidate.object, ownLogOdds(candidate, weights), {}});
   const auto hopeless = [&](size_t i) { return competitors[i].log_odds < kHopeless; };
   for (size_t i = 0; i < candidates.size(); ++i)
     for (size_t other = i + 1; other < candidates.size(); ++other) {
@@ -74,8 +76,12 @@ std::vector<Candidate> weighAmongOthers(std::vector<Candidate> candidates, const
   return candidates;
 }
 
-double probability(const EvidenceTerms& terms, const DecisionWeights& weights) {
-  return weights.probability(decisionValues(terms));
+double ownLogOdds(const Candidate& candidate, const DecisionWeights& weights) {
+  return weights.logOdds(decisionValues(candidate.terms)) + candidate.support.log_odds;
+}
+
+double ownProbability(const Candidate& candidate, const DecisionWeights& weights) {
+  return logistic(ownLogOdds(candidate, weights));
 }
 
 double rankScore(const Candidate& candidate) {

@@ -6,8 +6,11 @@
 
 namespace monocular_eye_hand {
 
-/// Calibrated probability that object and pose of the candidate are right.
-double probability(const EvidenceTerms& terms, const DecisionWeights& weights);
+/// Log-odds that object and pose of the candidate are right, by what speaks for it alone: what the image
+/// shows and what it stands on.
+double ownLogOdds(const Candidate& candidate, const DecisionWeights& weights);
+/// ... as a probability.
+double ownProbability(const Candidate& candidate, const DecisionWeights& weights);
 
 /// Order among explanations of the same part of the image: the probability (before the winner of a contest
 /// shared it) times the root of the evidence.

@@ -8,6 +8,7 @@
 #include "recognition/alignment.h"
 #include "recognition/decision.h"
 #include "recognition/search_trace.h"
+#include "recognition/support.h"
 #include "recognition/verification.h"
 
 namespace monocular_eye_hand {
@@ -93,6 +94,13 @@ std::optional<Candidate> alignedCandidate(const SearchTask& task, int object, co
   return candidate;
 }
 
+void weighAlone(const SearchTask& task, Candidate* candidate) {
+  const SearchModel& model = task.models[candidate->object];
+  if (task.support)
+    candidate->support = evidenceOfSupport(*task.support, candidate->object, model.model(), candidate->pose);
+  candidate->probability = ownProbability(*candidate, task.options.decision);
+}
+
 bool bearsOut(const SearchTask& task, Candidate* candidate) {
   const SearchModel& model = task.models[candidate->object];
   drawContour(model, task.image, candidate);
@@ -100,7 +108,7 @@ bool bearsOut(const SearchTask& task, Candidate* candidate) {
   if (terms.in_frame < task.options.min_in_frame || terms.sum < kMinEvidence) return false;
 
   weighDrawing(model, task.image, candidate);
-  candidate->probability = probability(terms, task.options.decision);
+  weighAlone(task, candidate);
   return true;
 }
 

@@ -23,6 +23,9 @@ std::optional<Candidate> alignedCandidate(const SearchTask& task, int object, co
                                           const std::vector<double>& ranges,
                                           const std::vector<Candidate>& known);
 
+/// Gives a verified candidate what speaks for it alone: the support's evidence and its probability.
+void weighAlone(const SearchTask& task, Candidate* candidate);
+
 /// Verifies an aligned candidate and gives it its probability; false when the image shows too little of it.
 bool bearsOut(const SearchTask& task, Candidate* candidate);
 

@@ -1,5 +1,9 @@
 #include "monocular_eye_hand/recognition/object_estimate.h"
 
+#include <cmath>
+
+#include "monocular_eye_hand/geometry/error.h"
+
 namespace monocular_eye_hand {
 
 const char* name(Decision decision) {
@@ -12,6 +16,14 @@ const char* name(Decision decision) {
       return "ambiguous";
   }
   return "unknown";
+}
+
+void SupportPlane::check() const {
+  if (!(std::abs(normal.norm() - 1) < 1e-6))
+    throw BadInput("support plane: the normal has length " + std::to_string(normal.norm()) + ", not 1");
+  if (!std::isfinite(offset)) throw BadInput("support plane: offset is not finite");
+  if (!(tolerance >= 0))
+    throw BadInput("support plane: tolerance = " + std::to_string(tolerance) + " must not be negative [m]");
 }
 
 const char* name(Fate fate) {

@@ -1,6 +1,7 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "recognition/reporting.h"
 #include "recognition/search_trace.h"
 #include "recognition/settle_contests.h"
+#include "recognition/support.h"
 #include "recognition/twins.h"
 
 namespace monocular_eye_hand {
@@ -67,6 +69,17 @@ struct Recognizer::Impl {
   ModelBase base;
   RecognitionOptions options;
   std::vector<SearchModel> models;
+  std::once_flag rests_known;
+  std::vector<std::vector<Eigen::Vector3d>> up_at_rest;  // made when a support plane is first given
+
+  std::optional<Support> supportOf(const RecognitionRequest& request) {
+    if (!request.support) return std::nullopt;
+    request.support->check();
+    std::call_once(rests_known, [this] {
+      for (const SearchModel& model : models) up_at_rest.push_back(directionsUpAtRest(model.model()));
+    });
+    return Support{*request.support, up_at_rest, options.rest_log_odds};
+  }
 };
 
 Recognizer::Recognizer(ModelBase models, RecognitionOptions options) : impl_(new Impl) {
@@ -96,7 +109,9 @@ RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camer
   std::optional<SearchTrace> trace;
   if (!request.traced.empty() && !request.proposals)
     trace.emplace(image, models, request.traced, double(camera.width) / image.camera.width);
-  const SearchTask searching{image, models, wanted, options, trace ? &*trace : nullptr};
+  const std::optional<Support> support = impl_->supportOf(request);
+  const Support* known_support = support ? &*support : nullptr;
+  const SearchTask searching{image, models, wanted, options, trace ? &*trace : nullptr, known_support};
 
   // Steps 2 to 6, or the poses that are given instead.
   SearchOutcome outcome;
@@ -111,7 +126,7 @@ RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camer
     candidates = std::move(full->candidates);
     outcome.chosen = chooseExplanations(candidates);
   }
-  const SearchTask task{full ? full->image : image, models, wanted, options};
+  const SearchTask task{full ? full->image : image, models, wanted, options, nullptr, known_support};
 
   // What is easily taken for one another, and what hides behind another.
   candidates = addTwins(task, std::move(candidates), outcome.chosen, &log);

@@ -8,6 +8,7 @@
 namespace monocular_eye_hand {
 
 class SearchTrace;
+struct Support;
 
 /// What is searched for, and in which image. Refers to what must outlive it.
 struct SearchTask {
@@ -15,7 +16,8 @@ struct SearchTask {
   const std::vector<SearchModel>& models;
   const std::vector<int>& wanted;  ///< the models that are searched for, ascending
   const RecognitionOptions& options;
-  SearchTrace* trace = nullptr;  ///< listens to the search; nullptr: nobody does
+  SearchTrace* trace = nullptr;      ///< listens to the search; nullptr: nobody does
+  const Support* support = nullptr;  ///< what the parts stand on; nullptr: not known
 };
 
 }  // namespace monocular_eye_hand

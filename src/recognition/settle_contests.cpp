@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "recognition/alignment.h"
+#include "recognition/decision.h"
 #include "recognition/drawn_pixels.h"
+#include "recognition/judging.h"
 #include "recognition/pose_contest.h"
 #include "recognition/verification.h"
 
@@ -19,10 +21,6 @@ constexpr double kOtherPose = 10;       // nearer poses are taken for one [px]
 constexpr double kResolved = 2.5;       // ... and those whose surfaces lie nowhere farther apart [px]
 constexpr double kNoRival = -1e3;       // log-odds behind everything
 constexpr int kMostRays = 2500;         // of one contestant whose faces are looked at
-
-double ownLogOdds(const SearchTask& task, const Candidate& candidate) {
-  return task.options.decision.logOdds(decisionValues(candidate.terms));
-}
 
 // The contestant whose pose a candidate has, or which it is; -1: none.
 int contestantOf(const SearchTask& task, const std::vector<Candidate>& candidates,
@@ -53,10 +51,10 @@ std::vector<int> contestants(const SearchTask& task, const std::vector<Candidate
                              const Explanation& explanation) {
   std::vector<std::pair<double, int>> in_place;  // by log-odds
   const Candidate& chosen = candidates[size_t(explanation.candidate)];
-  in_place.emplace_back(ownLogOdds(task, chosen), explanation.candidate);
+  in_place.emplace_back(ownLogOdds(chosen, task.options.decision), explanation.candidate);
   for (int r : explanation.rivals)
     if (inPlaceOf(task, chosen, candidates[size_t(r)]))
-      in_place.emplace_back(ownLogOdds(task, candidates[size_t(r)]), r);
+      in_place.emplace_back(ownLogOdds(candidates[size_t(r)], task.options.decision), r);
   std::stable_sort(in_place.begin(), in_place.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
 
@@ -79,7 +77,10 @@ Candidate movedByFeatures(const SearchTask& task, const Candidate& contestant) {
 
   moved.pose.camera_from_object = model.canonical(moved.pose.camera_from_object, &moved.view);
   verify(model, task.image, &moved);
-  return ownLogOdds(task, moved) > ownLogOdds(task, contestant) ? moved : contestant;
+  weighAlone(task, &moved);
+  return ownLogOdds(moved, task.options.decision) > ownLogOdds(contestant, task.options.decision)
+             ? moved
+             : contestant;
 }
 
 // Holds each against each; records it and returns what each has of the probability.
@@ -92,8 +93,8 @@ std::vector<double> compete(const SearchTask& task, const std::vector<int>& comp
   for (int c : competing) {
     const Candidate& candidate = (*candidates)[size_t(c)];
     const ObjectModel& model = task.models[size_t(candidate.object)].model();
-    contestants.push_back(
-        {candidate, ownLogOdds(task, candidate), litFaces(model, task.image, candidate, step)});
+    contestants.push_back({candidate, ownLogOdds(candidate, task.options.decision),
+                           litFaces(model, task.image, candidate, step)});
   }
 
   const size_t n = competing.size();
@@ -117,11 +118,11 @@ double probabilityTogether(const SearchTask& task, const std::vector<Candidate>&
   for (int r : explanation.rivals)
     if (candidates[size_t(r)].object == candidates[size_t(explanation.candidate)].object &&
         contestantOf(task, candidates, competing, r) < 0)
-      best_outside = std::max(best_outside, ownLogOdds(task, candidates[size_t(r)]));
+      best_outside = std::max(best_outside, ownLogOdds(candidates[size_t(r)], task.options.decision));
 
   double together = candidates[size_t(explanation.candidate)].probability;
   for (int c : competing) {
-    const double own = ownLogOdds(task, candidates[size_t(c)]);
+    const double own = ownLogOdds(candidates[size_t(c)], task.options.decision);
     Lead lead = candidates[size_t(c)].lead;
     const double over_strangers = leadOver(own, best_outside);
     if (over_strangers > lead.in_place) lead.in_place = 0.5 * (lead.in_place + over_strangers);

@@ -18,7 +18,18 @@ constexpr double kWorthTelling = 0.15;  // log-odds
 std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
 
 std::vector<TermContribution> weighed(const SearchTask& task, const Candidate& candidate) {
-  return contributions(decisionValues(candidate.terms), candidate.lead, task.options.decision);
+  std::vector<TermContribution> terms =
+      contributions(decisionValues(candidate.terms), candidate.lead, task.options.decision);
+  if (candidate.support.log_odds == 0) return terms;
+
+  const TermContribution support{"share of a rest on the support plane",
+                                 task.options.decision.lead.own * candidate.support.log_odds,
+                                 candidate.support.rests, 0};
+  const auto weaker = [](const TermContribution& a, const TermContribution& b) {
+    return a.log_odds > b.log_odds;
+  };
+  terms.insert(std::upper_bound(terms.begin(), terms.end(), support, weaker), support);
+  return terms;
 }
 
 // The strongest terms for (or against) the candidate, in words.
@@ -37,6 +48,7 @@ std::string whyDecided(const Verdict& verdict, const Candidate& best, double acc
   std::ostringstream reason;
   switch (verdict.decision) {
     case Decision::kRejected: {
+      if (!best.support.refused.empty()) return best.support.refused;
       reason << "probability " << std::round(100 * best.probability) / 100 << " below " << accept_probability;
       const char* separator = ": ";
       for (const std::string& words : verdict.spoke_against) {

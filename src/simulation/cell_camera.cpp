@@ -7,8 +7,8 @@
 
 #include "fast_renderer.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/random.h"
 #include "parallel_rows.h"
-#include "random.h"
 #include "sensor.h"
 
 namespace monocular_eye_hand {

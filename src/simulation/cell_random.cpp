@@ -8,8 +8,8 @@
 
 #include "footprint.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/stable_poses.h"
 #include "monocular_eye_hand/simulation/cell_gripper.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
 #include "random_look.h"
 
 namespace monocular_eye_hand {

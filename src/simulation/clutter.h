@@ -1,6 +1,6 @@
 #pragma once
+#include "monocular_eye_hand/geometry/random.h"
 #include "monocular_eye_hand/simulation/scene.h"
-#include "random.h"
 
 namespace monocular_eye_hand {
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "fast_renderer.h"
-#include "random.h"
+#include "monocular_eye_hand/geometry/random.h"
 
 namespace monocular_eye_hand {
 namespace {

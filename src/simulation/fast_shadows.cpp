@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "fast_renderer.h"
-#include "random.h"
+#include "monocular_eye_hand/geometry/random.h"
 
 namespace monocular_eye_hand {
 namespace {

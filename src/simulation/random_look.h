@@ -1,8 +1,9 @@
 #pragma once
 #include <vector>
 
+#include "monocular_eye_hand/geometry/random.h"
+#include "monocular_eye_hand/model/stable_poses.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
-#include "random.h"
 
 namespace monocular_eye_hand {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "random.h"
+#include "monocular_eye_hand/geometry/random.h"
 
 namespace monocular_eye_hand {
 namespace {

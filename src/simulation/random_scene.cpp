@@ -9,7 +9,8 @@
 #include "clutter.h"
 #include "footprint.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "random.h"
+#include "monocular_eye_hand/geometry/random.h"
+#include "monocular_eye_hand/model/stable_poses.h"
 #include "random_look.h"
 #include "settling.h"
 

@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "random.h"
+#include "monocular_eye_hand/geometry/random.h"
 
 namespace monocular_eye_hand {
 

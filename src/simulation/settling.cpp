@@ -6,7 +6,7 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "monocular_eye_hand/simulation/random_scene.h"
+#include "monocular_eye_hand/model/stable_poses.h"
 
 namespace monocular_eye_hand {
 namespace {

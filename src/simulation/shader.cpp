@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "random.h"
+#include "monocular_eye_hand/geometry/random.h"
 #include "texture.h"
 
 namespace monocular_eye_hand {

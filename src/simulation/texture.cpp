@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "random.h"
+#include "monocular_eye_hand/geometry/random.h"
 
 namespace monocular_eye_hand {
 namespace {

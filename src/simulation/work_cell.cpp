@@ -7,8 +7,8 @@
 #include "cell_collision.h"
 #include "falling.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/stable_poses.h"
 #include "monocular_eye_hand/simulation/cell.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
 #include "settling.h"
 
 namespace monocular_eye_hand {

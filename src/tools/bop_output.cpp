@@ -83,6 +83,7 @@ WrittenImage truthWithCounts(int id, const RandomPicture& picture, const Rendere
   WrittenImage out;
   out.id = id;
   out.camera = picture.camera;
+  out.camera_from_world = picture.scene.world_from_camera.inverse();
   for (size_t k = 0; k < picture.scene.objects.size(); ++k) {
     const int model = picture.scene.objects[k].model;
     const Visibility& seen = rendered.objects[k];

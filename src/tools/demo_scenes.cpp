@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/stable_poses.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
 
 namespace monocular_eye_hand {

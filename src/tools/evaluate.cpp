@@ -32,7 +32,7 @@ struct Arguments {
   std::vector<int> scenes, images;
   std::vector<double> warp;
   double scale = 1;
-  bool all = false;
+  bool all = false, support = false;
   EvaluationPageOptions page;
   bool pages() const { return !report.empty() || !misses.empty(); }
 };
@@ -101,6 +101,18 @@ std::vector<PoseProposal> truePoses(const BopImage& image, const std::vector<int
   return poses;
 }
 
+// The plane z = 0 of the world, as the image's camera sees it.
+std::optional<SupportPlane> supportPlane(const Arguments& args, const BopImage& image) {
+  if (!args.support) return std::nullopt;
+  if (!image.camera_from_world)
+    throw BadInput("--support: scene " + std::to_string(image.scene) + ", image " + std::to_string(image.id) +
+                   " has no cam_R_w2c and cam_t_w2c in scene_camera.json");
+  SupportPlane plane;
+  plane.normal = image.camera_from_world->rotation.col(2).normalized();
+  plane.offset = plane.normal.dot(image.camera_from_world->translation);
+  return plane;
+}
+
 Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& models,
                  const Recognizer& recognizer, CandidateDump* dump) {
   const std::vector<int> ids = objectIds(models);
@@ -117,6 +129,7 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
       request.proposals = truths_proposed ? truePoses(image, ids) : dumped.of(image, ids);
     const std::vector<int> truths = args.misses.empty() ? std::vector<int>() : wantedTruths(image, ids);
     request.traced = posesToTrace(image, truths, ids);
+    request.support = supportPlane(args, image);
     const CameraImage input = source.load(image);
     const auto start = std::chrono::steady_clock::now();
     const RecognitionResult result = recognizer.recognize(input.grey, input.camera, request);
@@ -289,6 +302,9 @@ int main(int argc, char** argv) {
          "dump of an earlier run: its poses are judged again instead of searching, in a fraction of the "
          "time; 'truth': the true poses are judged")
       ->check(CLI::ExistingFile | CLI::IsMember({"truth"}));
+  app.add_flag(
+      "--support", args.support,
+      "the parts stand on or above the plane z = 0 of the world: cam_R_w2c, cam_t_w2c of scene_camera.json");
   app.add_flag("--all", args.all, "write rejected candidates too");
   app.add_option("--out", args.out, "results file R.csv; R.times.csv is written beside it")->required();
   app.add_option("--dump", args.dump,

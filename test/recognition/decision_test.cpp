@@ -107,28 +107,30 @@ TEST(DecisionTerms, grow_with_their_evidence_and_are_bounded) {
 TEST(Probability, each_weight_moves_it_by_its_own_term_in_the_direction_of_its_sign) {
   for (size_t k = 0; k < decisionTerms().size(); ++k) {
     const EvidenceTerms low = middleTerms(0.2), high = middleTerms(0.3);
-    EXPECT_GT(probability(high, onlyWeight(k, 2)), probability(low, onlyWeight(k, 2)))
+    EXPECT_GT(onlyWeight(k, 2).probability(decisionValues(high)),
+              onlyWeight(k, 2).probability(decisionValues(low)))
         << decisionTerms()[k].name;
-    EXPECT_LT(probability(high, onlyWeight(k, -2)), probability(low, onlyWeight(k, -2)))
+    EXPECT_LT(onlyWeight(k, -2).probability(decisionValues(high)),
+              onlyWeight(k, -2).probability(decisionValues(low)))
         << decisionTerms()[k].name;
   }
 }
 
 TEST(Probability, of_the_fitted_weights_separates_a_good_from_an_empty_pose) {
-  EXPECT_GT(probability(goodTerms(), fittedWeights()), 0.9);
+  EXPECT_GT(fittedWeights().probability(decisionValues(goodTerms())), 0.9);
   EvidenceTerms empty;
   empty.unsupported = empty.unsupported_length = empty.outline_bare = empty.inner_bare = 1;
   empty.in_frame = 1;
   empty.rms = 2;
   empty.size = 60;
-  EXPECT_LT(probability(empty, fittedWeights()), 0.01);
+  EXPECT_LT(fittedWeights().probability(decisionValues(empty)), 0.01);
 }
 
 TEST(Probability, stays_between_0_and_1_for_any_finite_terms) {
   for (double scale : {-1e6, -1.0, 0.0, 1e6}) {
     EvidenceTerms t;
     t.visit([&](const char*, double& value) { value = scale; });
-    const double p = probability(t, fittedWeights());
+    const double p = fittedWeights().probability(decisionValues(t));
     EXPECT_GE(p, 0) << scale;
     EXPECT_LE(p, 1) << scale;
   }

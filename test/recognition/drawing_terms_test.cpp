@@ -129,7 +129,8 @@ TEST(InnerFeatures, a_frame_drawn_on_a_plate_misses_its_opening) {
   EXPECT_GT(plate.outline_hits, 0.4) << "its outer edges are the plate's";
   EXPECT_GT(plate.outline_bare, right.outline_bare + 0.15) << "the opening is an outline, too";
   EXPECT_GT(plate.features_bare, right.features_bare + 0.3);
-  EXPECT_LT(probability(plate, fittedWeights()), probability(right, fittedWeights()));
+  EXPECT_LT(fittedWeights().probability(decisionValues(plate)),
+            fittedWeights().probability(decisionValues(right)));
 }
 
 }  // namespace

@@ -50,9 +50,9 @@ TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
     EXPECT_LT(wrong.hit_ratio, 0.6 * t.hit_ratio) << du << ", " << dv;
     EXPECT_LT(wrong.sum, 0.4 * t.sum) << du << ", " << dv;
     EXPECT_GT(wrong.unsupported, t.unsupported + 0.2) << du << ", " << dv;
-    EXPECT_LT(probability(wrong, fittedWeights()), 0.2) << du << ", " << dv;
+    EXPECT_LT(fittedWeights().probability(decisionValues(wrong)), 0.2) << du << ", " << dv;
   }
-  EXPECT_GT(probability(t, fittedWeights()), 0.5);
+  EXPECT_GT(fittedWeights().probability(decisionValues(t)), 0.5);
 }
 
 TEST_P(OnGolden, says_which_edge_points_and_cells_it_takes) {
@@ -123,7 +123,8 @@ TEST_F(Bars, edges_that_run_on_contradict_the_short_box) {
   EXPECT_LT(right.overhang, 0.1);
   EXPECT_GT(wrong.continuation, 0.15);
   EXPECT_GT(wrong.overhang, right.overhang + 0.2);
-  EXPECT_LT(probability(wrong, fittedWeights()), probability(right, fittedWeights()));
+  EXPECT_LT(fittedWeights().probability(decisionValues(wrong)),
+            fittedWeights().probability(decisionValues(right)));
 }
 
 TEST_F(Bars, patterned_faces_carry_edges_that_the_model_does_not_explain) {

@@ -45,6 +45,8 @@ struct BopImage {
   int id = 0;
   std::string path;  ///< "" when the image file is missing
   Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();
+  std::optional<Rigid3>
+      camera_from_world;  ///< cam_R_w2c, cam_t_w2c of scene_camera.json, where they are there
   std::vector<GroundTruth> truth;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct WrittenTruth {
 struct WrittenImage {
   int id = 0;
   Camera camera;
+  std::optional<Rigid3> camera_from_world;
   std::vector<WrittenTruth> truth;
 };
 

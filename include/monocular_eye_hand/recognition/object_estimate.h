@@ -120,6 +120,15 @@ struct PoseProposal {
   Rigid3 camera_from_object;
 };
 
+/// A plane that parts stand on or above: the top of a table, the floor of a box.
+struct SupportPlane {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit, up; camera frame
+  double offset = 0;                                  ///< the plane: normal . p = offset [m]
+  double tolerance = 0.004;  ///< a part may seem to reach this much below it: errors of the calibration [m]
+
+  void check() const;  ///< throws BadInput naming field, value and rule
+};
+
 /// What to look for in one image.
 struct RecognitionRequest {
   /// Name of the one object wanted ("": all); the search stops at the first plausible and reliable match.
@@ -127,6 +136,8 @@ struct RecognitionRequest {
   std::vector<ObjectEstimate> previous;  ///< last frame's objects: equal poses are reported nearest to these
   /// Poses to decide on instead of searching: moved onto the edges and judged as what a search finds.
   std::optional<std::vector<PoseProposal>> proposals;
+  /// Where it is known: a pose that reaches below it is refused, one in which the part rests on it gains.
+  std::optional<SupportPlane> support;
   bool judged = false;  ///< fill RecognitionResult::judged, for fitting and studying decisions; costs time
   /// Poses in front of the camera whose way through the search is told (RecognitionResult::traces), for
   /// studying what is not found; changes no answer. Not used with `proposals`, which are not

@@ -20,6 +20,7 @@ struct RecognitionOptions {
   int budget = 0;                ///< most hypotheses scored per image; 0 = until all groupings are used
   double time_limit = 0;         ///< wall-clock cut [s]; 0 = none. A result it cuts says truncated.
   double accept_probability = 0.5;
+  double rest_log_odds = 2.0;    ///< most that a pose gains which rests on a known support plane [log-odds]
   double ambiguous_ratio = 0.5;  ///< an alternative this likely relative to the best makes a result ambiguous
 
   template <class Visitor>
@@ -37,6 +38,7 @@ struct RecognitionOptions {
     v("budget", budget);
     v("time_limit", time_limit);
     v("accept_probability", accept_probability);
+    v("rest_log_odds", rest_log_odds);
     v("ambiguous_ratio", ambiguous_ratio);
   }
   void check() const;  ///< throws BadInput naming field, value and rule

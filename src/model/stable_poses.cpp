@@ -1,3 +1,5 @@
+#include "monocular_eye_hand/model/stable_poses.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -5,8 +7,7 @@
 
 #include "convex_hull.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
-#include "random.h"
+#include "monocular_eye_hand/geometry/random.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,0 +1,154 @@
+// A known plane that parts stand on: what it rules out, and what it speaks for.
+#include "recognition/support.h"
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/look_at.h"
+#include "world.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+using testing::HasSubstr;
+
+const ObjectModel& brick() {
+  static const ObjectModel model = buildModel("brick", boxMesh({0.10, 0.06, 0.02}));
+  return model;
+}
+
+const ObjectModel& roller() {
+  static const ObjectModel model = buildModel("roller", cylinderMesh(0.02, 0.08, 24));
+  return model;
+}
+
+// Seen from above, from the side, and askew.
+std::vector<Rigid3> cameras() {
+  return {lookAt({0, -0.01, 0.6}, {0, 0, 0}), lookAt({0.6, 0, 0.1}, {0, 0, 0}),
+          lookAt({0.3, -0.4, 0.3}, {0, 0, 0})};
+}
+
+// The table's top, z = 0 of the world.
+Support tableSeenBy(const Rigid3& world_from_camera, const ObjectModel& model) {
+  const Rigid3 camera_from_world = world_from_camera.inverse();
+  Support support;
+  support.plane.normal = camera_from_world.rotation.col(2);
+  support.plane.offset = support.plane.normal.dot(camera_from_world.translation);
+  support.up_at_rest = {directionsUpAtRest(model)};
+  support.rest_log_odds = 2;
+  return support;
+}
+
+SupportEvidence evidenceAt(const Rigid3& world_from_camera, const ObjectModel& model,
+                           const Rigid3& world_from_object, double sigma_of_height = 0.0005) {
+  RefinedPose pose;
+  pose.camera_from_object = world_from_camera.inverse() * world_from_object;
+  pose.covariance.diagonal() << Eigen::Vector3d::Constant(sigma_of_height * sigma_of_height),
+      Eigen::Vector3d::Constant(1e-6);
+  return evidenceOfSupport(tableSeenBy(world_from_camera, model), 0, model, pose);
+}
+
+Rigid3 turnedAbout(const Eigen::Vector3d& axis, double angle, const Eigen::Vector3d& translation) {
+  return {expSO3(angle * axis), translation};
+}
+
+// boxMesh() and cylinderMesh() stand on z = 0.
+TEST(DirectionsUpAtRest, of_a_brick_are_its_six_sides) {
+  const std::vector<Eigen::Vector3d> up = directionsUpAtRest(brick());
+  ASSERT_EQ(up.size(), 6u);
+  for (const Eigen::Vector3d& direction : up) EXPECT_NEAR(direction.cwiseAbs().maxCoeff(), 1, 1e-9);
+}
+
+TEST(DirectionsUpAtRest, of_a_sheet_without_thickness_are_none) {
+  EXPECT_TRUE(directionsUpAtRest(buildModel("sheet", quadMesh(0.1, 0.1))).empty());
+}
+
+TEST(Support, gains_when_the_part_rests_on_each_of_its_sides) {
+  for (const Rigid3& world_from_camera : cameras()) {
+    EXPECT_GT(evidenceAt(world_from_camera, brick(), {}).rests, 0.95);
+    const Rigid3 on_its_edge = turnedAbout({1, 0, 0}, M_PI / 2, {0, 0, 0.03});
+    EXPECT_GT(evidenceAt(world_from_camera, brick(), on_its_edge).log_odds, 1.9);
+  }
+}
+
+TEST(Support, gains_nothing_for_a_part_that_leans_or_lies_on_another) {
+  for (const Rigid3& world_from_camera : cameras()) {
+    const SupportEvidence leans =
+        evidenceAt(world_from_camera, brick(), turnedAbout({1, 0, 0}, 0.3, {0, 0, 0.03 * std::sin(0.3)}));
+    EXPECT_LT(leans.rests, 0.01);
+    EXPECT_EQ(leans.refused, "");
+
+    const SupportEvidence on_another =
+        evidenceAt(world_from_camera, brick(), {Eigen::Matrix3d::Identity(), {0, 0, 0.02}});
+    EXPECT_LT(on_another.rests, 0.01);
+    EXPECT_EQ(on_another.refused, "");
+  }
+}
+
+TEST(Support, refuses_a_pose_that_reaches_below_by_more_than_tolerance_and_three_sigmas) {
+  for (const Rigid3& world_from_camera : cameras()) {
+    const Rigid3 sunk{Eigen::Matrix3d::Identity(), {0, 0, -0.012}};
+    const SupportEvidence evidence = evidenceAt(world_from_camera, brick(), sunk);
+    EXPECT_THAT(evidence.refused, HasSubstr("reaches 12.0 mm below the support plane"));
+    EXPECT_LT(evidence.log_odds, -100);
+    EXPECT_EQ(evidenceAt(world_from_camera, brick(), sunk, 0.004).refused, "")
+        << "its height may be so much off";
+  }
+}
+
+TEST(Support, lets_a_roller_lie_on_any_line_of_its_side) {
+  ASSERT_TRUE(roller().symmetries.axis) << "24 facets are a cylinder";
+  for (double angle : {0.0, 0.05, 0.13, 1.0}) {
+    const Rigid3 lying{expSO3({M_PI / 2, 0, 0}) * expSO3({0, 0, angle}), {0, 0.04, 0.02}};
+    EXPECT_GT(evidenceAt(cameras()[2], roller(), lying).rests, 0.9) << angle;
+  }
+}
+
+TEST(SupportPlane, that_is_none_is_refused_by_name) {
+  SupportPlane plane;
+  EXPECT_NO_THROW(plane.check());
+  plane.normal = {0, 0, 2};
+  EXPECT_THROW(plane.check(), BadInput);
+  plane = {};
+  plane.offset = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(plane.check(), BadInput);
+  plane = {};
+  plane.tolerance = -1;
+  EXPECT_THROW(plane.check(), BadInput);
+}
+
+// A bridge on the table, seen by a camera that knows the table, or a plane that is not where the table is.
+class KnownTable : public testing::Test {
+ protected:
+  static RecognitionResult recognized(const std::optional<SupportPlane>& support) {
+    const Scene scene = plainScene({standing("bridge", shippedModel("bridge").mesh)}, camera());
+    const RenderedImage image = renderScene(scene, testCamera());
+    RecognitionRequest request;
+    request.support = support;
+    static const Recognizer recognizer(someModels({"bridge"}));
+    return recognizer.recognize(image.grey, testCamera(), request);
+  }
+  static double lowest() { return shippedModel("bridge").bounds.min().z(); }
+  static Rigid3 camera() { return lookAt({0.25, -0.35, 0.4}, {0, 0, 0.02}); }
+  static SupportPlane planeAt(double height) {
+    SupportPlane plane = tableSeenBy(camera(), shippedModel("bridge")).plane;
+    plane.offset += height;
+    return plane;
+  }
+};
+
+TEST_F(KnownTable, makes_what_rests_on_it_likelier) {
+  const RecognitionResult without = recognized({}), with = recognized(planeAt(lowest()));
+  ASSERT_EQ(without.objects.size(), 1u) << listed(without);
+  ASSERT_EQ(with.objects.size(), 1u) << listed(with);
+  EXPECT_GE(with.objects[0].probability, without.objects[0].probability);
+  EXPECT_LT(difference(with.objects[0].camera_from_object, without.objects[0].camera_from_object).norm(),
+            1e-9);
+}
+
+TEST_F(KnownTable, refuses_what_would_lie_below_and_says_why) {
+  const RecognitionResult result = recognized(planeAt(lowest() + 0.05));
+  EXPECT_TRUE(result.objects.empty()) << listed(result);
+  EXPECT_THAT(result.reason, HasSubstr("below the support plane"));
+}
+
+}  // namespace
+}  // namespace monocular_eye_hand
