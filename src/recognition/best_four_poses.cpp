@@ -5,6 +5,7 @@
 
 #include "recognition/alignment.h"
 #include "recognition/constellation.h"
+#include "recognition/judging.h"
 #include "recognition/verification.h"
 
 namespace monocular_eye_hand {

@@ -96,7 +96,9 @@ const RecognitionOptions& Recognizer::options() const { return impl_->options; }
 
 RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camera,
                                         const RecognitionRequest& request) const {
-  const auto& [base, options, models] = *impl_;
+  const ModelBase& base = impl_->base;
+  const RecognitionOptions& options = impl_->options;
+  const std::vector<SearchModel>& models = impl_->models;
   camera.check();
   const std::vector<int> wanted = wantedObjects(base, request.only);
   checkImage(grey, camera);
