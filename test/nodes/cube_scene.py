@@ -2,6 +2,7 @@
 import numpy
 
 import rospy
+from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import CameraInfo, Image
 
 EDGE = 0.084  # [m]
@@ -71,6 +72,17 @@ def camera_info():
     message.R = [1, 0, 0, 0, 1, 0, 0, 0, 1]
     message.P = [FOCAL, 0, CX, 0, 0, FOCAL, CY, 0, 0, 0, 1, 0]
     message.header.frame_id = FRAME
+    return message
+
+
+def frame_of_the_cube(name):
+    """The transform of a frame in which the cube stands on z = 0, in the camera's."""
+    message = TransformStamped(child_frame_id=name)
+    message.header.frame_id = FRAME
+    message.transform.translation.x, message.transform.translation.y, message.transform.translation.z = TRANSLATION
+    turn, r = message.transform.rotation, ROTATION
+    turn.w = 0.5 * numpy.sqrt(1 + numpy.trace(r))  # the cube is turned by less than half a turn
+    turn.x, turn.y, turn.z = (numpy.array([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]) / (4 * turn.w))
     return message
 
 

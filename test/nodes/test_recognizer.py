@@ -12,6 +12,7 @@ import numpy
 import rospy
 import rostest
 import rospkg
+import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from sensor_msgs.msg import Image
 from tf2_msgs.msg import TFMessage
@@ -288,6 +289,30 @@ class TestRecognizer(unittest.TestCase):
             self.assertIn("far from the middle", warnings[0])
             self.assertIn("binning", warnings[0])
         self.assertEqual(self.warnings_of(cube_scene.camera_info())[1], [])
+
+    def recognized_above(self, frame, height):
+        """The reply and the log of a node that knows the plane z = height of a frame, in which the cube stands."""
+        objects = os.path.join(rospkg.RosPack().get_path("monocular_eye_hand"), "config", "cube.yaml")
+        arguments = ["_objects:=" + objects, "_cache:=" + self.cache, "_continuous:=false", "_support/frame:=" + frame,
+                     "_support/height:=%g" % height]
+        with node_process.node("recognizer", "above", arguments) as node:
+            rospy.wait_for_service("/above/recognize", node_process.START)
+            reply = rospy.ServiceProxy("/above/recognize", Recognize)("cube")
+            self.assertTrue(node.running())
+            return reply, node.text()
+
+    def test_support_plane_from_tf(self):
+        broadcaster = tf2_ros.StaticTransformBroadcaster()
+        broadcaster.sendTransform(cube_scene.frame_of_the_cube("table"))
+        reply, _ = self.recognized_above("table", 0)
+        self.assertEqual(reply.status, RecognizeResponse.FOUND, reply.text)
+        reply, _ = self.recognized_above("table", 0.03)
+        self.assertEqual(reply.status, RecognizeResponse.NOT_FOUND, reply.text)
+        self.assertRegex(reply.text, r"reaches (29|30)\.\d mm below the support plane")
+        reply, log = self.recognized_above("no_such_frame", 0)  # recognition goes on without
+        self.assertEqual(reply.status, RecognizeResponse.FOUND, reply.text)
+        self.assertIn("the support plane is not known", log)
+        self.assertIn("no_such_frame", log)
 
     def test_lenses_that_cannot_be_used(self):
         """One that folds over inside the image, one with terms that are not known, one that is no lens."""

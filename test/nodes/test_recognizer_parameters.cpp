@@ -57,7 +57,25 @@ TEST(RecognizerParameters, AreChecked) {
   refused([](RecognizerParameters* p) { p->marker_triangles = -1; });
   refused([](RecognizerParameters* p) { p->label_height = 0; });
   refused([](RecognizerParameters* p) { p->marker_lifetime = -1; });
+  refused([](RecognizerParameters* p) { p->support.tolerance = -0.001; });
+  refused([](RecognizerParameters* p) { p->support.wait = -1; });
   refused([](RecognizerParameters* p) { p->image_transport.clear(); });
+}
+
+// A camera that looks straight down from 0.6 m.
+TEST(SupportPlane, IsThatOfTheFrameInTheCamerasAxes) {
+  Rigid3 camera_from_base;
+  camera_from_base.rotation = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  camera_from_base.translation = {0.1, 0.2, 0.6};
+  SupportParameters parameters;
+  parameters.height = 0.25;
+  parameters.tolerance = 0.007;
+  const SupportPlane plane = supportPlane(camera_from_base, parameters);
+  EXPECT_NO_THROW(plane.check());
+  EXPECT_NEAR(plane.normal.dot(Eigen::Vector3d(0, 0, 0.35)), plane.offset, 1e-12);
+  EXPECT_GT(plane.normal.dot(Eigen::Vector3d(0.3, -0.2, 0.34)), plane.offset)
+      << "nearer to the camera is above";
+  EXPECT_EQ(plane.tolerance, 0.007);
 }
 
 }  // namespace
