@@ -125,6 +125,23 @@ TEST(WriteDataset, scene_reads_back) {
   EXPECT_TRUE(split.images[1].truth.empty());
 }
 
+TEST(WriteDataset, where_the_camera_stands_reads_back_and_may_be_left_out) {
+  const Rigid3 camera_from_world{expSO3({0.3, -0.2, 0.1}), {0.1, -0.2, 0.75}};
+  TempFolder folder;
+  writeBopCamera(folder.path(), pinhole());
+  BopSceneWriter writer(folder.path(), "train", 1);
+  writer.add({0, pinhole(), {}, camera_from_world}, grey(10));
+  writer.add({1, pinhole(), {}}, grey(10));
+  writer.finish();
+
+  const BopSplit split = loadBopSplit(folder.path(), "train");
+  ASSERT_EQ(split.images.size(), 2u);
+  ASSERT_TRUE(split.images[0].camera_from_world);
+  EXPECT_TRUE(split.images[0].camera_from_world->rotation.isApprox(camera_from_world.rotation, 1e-12));
+  EXPECT_TRUE(split.images[0].camera_from_world->translation.isApprox(camera_from_world.translation, 1e-12));
+  EXPECT_FALSE(split.images[1].camera_from_world);
+}
+
 TEST(WriteDataset, targets_of_all_scenes_are_those_that_are_visible) {
   TempFolder folder;
   writeBopCamera(folder.path(), pinhole());

@@ -43,8 +43,8 @@ struct WrittenTruth {
 struct WrittenImage {
   int id = 0;
   Camera camera;
-  std::optional<Rigid3> camera_from_world;
   std::vector<WrittenTruth> truth;
+  std::optional<Rigid3> camera_from_world = std::nullopt;
 };
 
 /// One scene folder of a split: the images one by one, the truth of all of them at the end.
