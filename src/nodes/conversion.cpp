@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
 
@@ -36,12 +35,6 @@ sensor_msgs::RegionOfInterest toRegion(const cv::Rect& box) {
 
 std::string withoutSlash(const std::string& frame) {
   return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
-}
-
-std::string secondsText(double seconds) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3f s", seconds);
-  return text;
 }
 
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {

@@ -16,8 +16,6 @@ namespace monocular_eye_hand {
 
 /// A frame's name as tf2 takes it: tf of old wrote a slash before it.
 std::string withoutSlash(const std::string& frame);
-/// "1.250 s": stamps are too large for the digits of a stream.
-std::string secondsText(double seconds);
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 /// `a_from_b` is the pose of frame b in frame a.
 geometry_msgs::Pose toPose(const Rigid3& a_from_b);
