@@ -1,20 +1,13 @@
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/arm/puma560.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-
-void require(bool ok, const std::string& field, double value, const std::string& rule) {
-  if (ok) return;
-  std::ostringstream message;
-  message << field << " = " << value << " must be " << rule;
-  throw BadInput(message.str());
-}
 
 void requireLength(double value, const char* field, bool may_be_negative) {
   require(std::isfinite(value) && std::abs(value) <= 10, field, value, "finite and at most 10 m");

@@ -3,13 +3,13 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <tuple>
 
 #include "expected.h"
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/seconds_text.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/model/free_turns.h"
 
@@ -17,12 +17,6 @@ namespace monocular_eye_hand {
 namespace {
 
 std::string label(const MappedObject& object) { return object.name + " " + std::to_string(object.number); }
-
-std::string seconds(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3f s", value);
-  return text;
-}
 
 void checkView(const ObjectView& view, const ModelBase& models) {
   if (!std::isfinite(view.stamp)) throw BadInput("the view's stamp is not finite");
@@ -58,11 +52,12 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   report.decisions.resize(view.objects.size());
   for (size_t i = 0; i < view.objects.size(); ++i) report.decisions[i].object = view.objects[i].object;
   if (started_ && view.stamp <= last_stamp_) {
-    report.refused = "the view of " + seconds(view.stamp) + " is not newer than the last one of " +
-                     seconds(last_stamp_) + "; clear the map when time starts again";
+    report.refused = "the view of " + secondsText(view.stamp) + " is not newer than the last one of " +
+                     secondsText(last_stamp_) + "; clear the map when time starts again";
     for (ViewDecision& decision : report.decisions) decision.reason = report.refused;
     return report;
   }
+
   started_ = true;
   last_stamp_ = view.stamp;
   hand_eye_covariance_ = view.hand_eye.covariance.isZero(0)
@@ -89,6 +84,7 @@ ViewReport ObjectMap::add(const ObjectView& view) {
     sightings.push_back(seen);
     source.push_back(i);
   }
+
   std::vector<double> chi_squares;
   const std::vector<int> track_of = associate(sightings, &chi_squares);
   std::vector<char> met(tracks_.size(), 0);
@@ -96,6 +92,7 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   for (const Sighting& seen : impossible_ones)
     for (size_t t = 0; t < tracks_.size(); ++t)
       if (tracks_[t].object.object == seen.object && samePlace(tracks_[t].merged, seen)) met[t] = 1;
+
   for (size_t k = 0; k < sightings.size(); ++k) {
     ViewDecision& decision = report.decisions[source[k]];
     if (track_of[k] >= 0) {
@@ -111,10 +108,12 @@ ViewReport ObjectMap::add(const ObjectView& view) {
       decision.reason = "no known " + object.name + " is there";
     }
   }
+
   findRivals();
   countMisses(view, met, &report);
   for (Track& track : tracks_) publish(&track);
   believe();
+
   for (ViewDecision& decision : report.decisions)
     for (const Track& track : tracks_)
       if (track.key() == Key(decision.object, decision.number) && track.yields_to)
@@ -221,6 +220,7 @@ ViewDecision ObjectMap::meet(Track* track, const Sighting& seen, double chi_squa
   track->object.misses = 0;
   track->object.last_stamp = stamp;
   track->merged.probability = std::max(track->merged.probability, seen.probability);
+
   // So many places say all that views can say: what is left is common to them.
   const bool same_camera =
       int(track->base_from_cameras.size()) >= options_.most_views ||
@@ -229,6 +229,7 @@ ViewDecision ObjectMap::meet(Track* track, const Sighting& seen, double chi_squa
             return (camera.translation - seen.base_from_camera.translation).norm() <= options_.min_motion &&
                    angleBetween(camera.rotation, seen.base_from_camera.rotation) <= options_.min_turn;
           });
+
   if (same_camera) {
     decision.outcome = ViewOutcome::kSeenAgain;
     decision.reason = "seen from this camera place already, or from enough of them: it tells nothing new";

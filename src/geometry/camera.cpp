@@ -39,6 +39,7 @@ LensName lensNamed(const std::string& name) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0)
       simple += char(std::tolower(static_cast<unsigned char>(c)));
   }
+
   const std::pair<const char*, LensName> names[] = {
       {"", LensName::kUnnamed},
       {"none", LensName::kNone},
@@ -46,19 +47,23 @@ LensName lensNamed(const std::string& name) {
       {"undistorted", LensName::kNone},
       {"pinhole", LensName::kNone},
       {"perspective", LensName::kNone},
+
       {"plumbbob", LensName::kPlumbBob},
       {"radtan", LensName::kPlumbBob},
       {"radialtangential", LensName::kPlumbBob},
       {"brown", LensName::kPlumbBob},
       {"brownconrady", LensName::kPlumbBob},
+
       {"rationalpolynomial", LensName::kRational},
       {"rational", LensName::kRational},
+
       {"equidistant", LensName::kEquidistant},
       {"fisheye", LensName::kEquidistant},
       {"opencvfisheye", LensName::kEquidistant},
       {"kannalabrandt", LensName::kEquidistant},
       {"kannalabrandt4", LensName::kEquidistant},
       {"kb4", LensName::kEquidistant},
+
       // These map from raw to rectified, or are of a driver that publishes zeros.
       {"inversebrownconrady", LensName::kInverse},
       {"modifiedbrownconrady", LensName::kInverse},
@@ -66,6 +71,7 @@ LensName lensNamed(const std::string& name) {
       {"thinprismmodel", LensName::kThinPrism},
       {"thinprismfisheye", LensName::kThinPrism},
   };
+
   for (const auto& [known, lens] : names) {
     if (simple == known) return lens;
   }

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "starts_with.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -59,16 +60,12 @@ const Signature kBinaryKinds[] = {
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 std::string startInLowerCase(const std::string& bytes) {
-  size_t begin = bytes.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+  size_t begin = startsWith(bytes, "\xef\xbb\xbf") ? 3 : 0;
   while (begin < bytes.size() && begin < kLookedAt && blank(bytes[begin])) ++begin;
 
   std::string start = bytes.substr(begin, 64);
   for (char& c : start) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
   return start;
-}
-
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
 }
 
 /// The first line of an IGES file has an S in column 73 and the number 1 in the rest of its 80 columns.

@@ -9,15 +9,12 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "package_folder.h"
+#include "starts_with.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
 
 bool isNameSign(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 

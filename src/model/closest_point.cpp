@@ -50,14 +50,16 @@ int ClosestPoint::build(int begin, int end, const std::vector<Eigen::AlignedBox3
   nodes_[id].begin = begin;
   nodes_[id].end = end;
   if (end - begin <= 4) return id;
+
   Eigen::Index axis;
   box.diagonal().maxCoeff(&axis);
   const int middle = (begin + end) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](int s, int t) {
-    const double cs = boxes[s].min()[axis] + boxes[s].max()[axis],
-                 ct = boxes[t].min()[axis] + boxes[t].max()[axis];
+    const double cs = boxes[s].min()[axis] + boxes[s].max()[axis];
+    const double ct = boxes[t].min()[axis] + boxes[t].max()[axis];
     return cs != ct ? cs < ct : s < t;
   });
+
   const int left = build(begin, middle, boxes);
   const int right = build(middle, end, boxes);
   nodes_[id].left = left;
@@ -70,9 +72,11 @@ double ClosestPoint::distance(const Eigen::Vector3d& p, double limit) const {
   int stack[128];
   int size = 0;
   if (!nodes_.empty()) stack[size++] = 0;
+
   while (size > 0) {
     const Node& node = nodes_[stack[--size]];
     if (node.box.squaredExteriorDistance(p) >= best) continue;
+
     if (node.left < 0) {
       for (int k = node.begin; k < node.end; ++k) {
         const auto& t = mesh_.triangles[order_[k]];
@@ -81,6 +85,7 @@ double ClosestPoint::distance(const Eigen::Vector3d& p, double limit) const {
       }
       continue;
     }
+
     const double dl = nodes_[node.left].box.squaredExteriorDistance(p);
     const double dr = nodes_[node.right].box.squaredExteriorDistance(p);
     // The nearer child is visited first: it stands on top.

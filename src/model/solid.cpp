@@ -35,9 +35,11 @@ std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth,
   std::vector<Eigen::Vector3d> points;
   std::vector<double> depths;
   if (!model.closed || !model.rays || model.bounds.isEmpty()) return points;
+
   const double cell = std::max(depth, std::cbrt(model.bounds.volume() / kMostCells));
   const Eigen::Array3i cells = (model.bounds.sizes() / cell).array().ceil().max(1).cast<int>();
   const Eigen::Vector3d step = model.bounds.sizes().array() / cells.cast<double>();
+
   const ClosestPoint surface(model.mesh);
   double deepest = 0;
   for (int i = 0; i < cells[0]; ++i)
@@ -50,10 +52,12 @@ std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth,
         depths.push_back(surface.distance(p, 2 * depth));
         deepest = std::max(deepest, depths.back());
       }
+
   const double wanted = std::min(depth, 0.7 * deepest);
   std::vector<Eigen::Vector3d> inner;
   for (size_t n = 0; n < points.size(); ++n)
     if (depths[n] >= wanted) inner.push_back(points[n]);
+
   const size_t stride = most > 0 ? (inner.size() + most - 1) / most : 1;
   std::vector<Eigen::Vector3d> spread;
   for (size_t n = 0; n < inner.size(); n += stride) spread.push_back(inner[n]);

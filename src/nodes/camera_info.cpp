@@ -57,13 +57,19 @@ Camera fullCamera(const sensor_msgs::CameraInfo& info, ImageKind kind) {
       throw BadCameraInfo(
           "P[3] or P[7] is not zero: this is the second camera of a stereo pair, whose rectified "
           "frame is not its own; use its image_raw, or the first camera");
-    camera.fx = info.P[0], camera.cx = info.P[2], camera.fy = info.P[5], camera.cy = info.P[6];
+    camera.fx = info.P[0];
+    camera.cx = info.P[2];
+    camera.fy = info.P[5];
+    camera.cy = info.P[6];
   } else {
     if (allZero(info.K))
       throw BadCameraInfo(
           "K is all zero, which means uncalibrated: calibrate the camera (camera_calibration) or "
           "give its driver the calibration file");
-    camera.fx = info.K[0], camera.cx = info.K[2], camera.fy = info.K[4], camera.cy = info.K[5];
+    camera.fx = info.K[0];
+    camera.cx = info.K[2];
+    camera.fy = info.K[4];
+    camera.cy = info.K[5];
     setDistortion(&camera, info.distortion_model, info.D.data(), info.D.size());
   }
   camera.check();

@@ -6,6 +6,7 @@
 #include "nodes/command_line.h"
 #include "nodes/conversion.h"
 #include "nodes/names.h"
+#include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
 
 namespace monocular_eye_hand {
@@ -89,11 +90,16 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::CameraViewParameters()), &exit_code))
     return exit_code;
+
   ros::init(argc, argv, "camera_view");
   ros::NodeHandle node;  // keeps the node up
+  const meh::NodeWatch watch;
   try {
     meh::CameraViewParameters parameters;
     meh::readOptions(meh::privateParameters({}), &parameters);
+    for (std::string* frame : {&parameters.camera_frame, &parameters.view_frame})
+      *frame = meh::withoutSlash(*frame);
+
     const meh::CameraView view(parameters);
     ros::spin();
     return 0;

@@ -2,22 +2,11 @@
 
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
-namespace {
-
-void require(bool holds, const char* field, double value, const char* rule) {
-  if (holds) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be " << rule;
-  throw BadInput(text.str());
-}
-
-}  // namespace
-
 void CellBox::check() const {
   if (name.empty()) throw BadInput("name is empty: every box needs one, for messages");
   for (double value : {x, y, z, roll, pitch, yaw})

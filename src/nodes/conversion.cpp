@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
 
@@ -38,12 +37,6 @@ std::string withoutSlash(const std::string& frame) {
   return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
 }
 
-std::string secondsText(double seconds) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3f s", seconds);
-  return text;
-}
-
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p) {
   geometry_msgs::Point point;
   point.x = p.x();
@@ -66,6 +59,15 @@ geometry_msgs::Pose toPose(const Rigid3& a_from_b) {
 Rigid3 fromPose(const geometry_msgs::Pose& pose) {
   const Eigen::Quaterniond q(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
   return {q.normalized().toRotationMatrix(), {pose.position.x, pose.position.y, pose.position.z}};
+}
+
+Rigid3 fromTransform(const geometry_msgs::Transform& transform) {
+  geometry_msgs::Pose pose;
+  pose.position.x = transform.translation.x;
+  pose.position.y = transform.translation.y;
+  pose.position.z = transform.translation.z;
+  pose.orientation = transform.rotation;
+  return fromPose(pose);
 }
 
 Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what) {

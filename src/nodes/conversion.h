@@ -16,12 +16,12 @@ namespace monocular_eye_hand {
 
 /// A frame's name as tf2 takes it: tf of old wrote a slash before it.
 std::string withoutSlash(const std::string& frame);
-/// "1.250 s": stamps are too large for the digits of a stream.
-std::string secondsText(double seconds);
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 /// `a_from_b` is the pose of frame b in frame a.
 geometry_msgs::Pose toPose(const Rigid3& a_from_b);
 Rigid3 fromPose(const geometry_msgs::Pose& pose);
+/// `target_from_source` of tf's lookupTransform(target, source).
+Rigid3 fromTransform(const geometry_msgs::Transform& transform);
 /// Throws BadInput naming `what` when the pose is not finite or its quaternion has not length 1 (to 1 %).
 Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what);
 /// Row-major, order x, y, z, rotation about x, y, z: the core's own order.

@@ -39,6 +39,11 @@ void Diagnostics::cameraBad(const std::string& problem) {
   logProblem(problem);
 }
 
+void Diagnostics::frameOdd(const std::string& problem) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  frame_problem_ = problem;
+}
+
 void Diagnostics::worked(double seconds, size_t objects, const std::string& reason, bool truncated) {
   std::lock_guard<std::mutex> lock(mutex_);
   ++worked_;
@@ -67,6 +72,11 @@ std::string Diagnostics::silence() const {
 
 bool Diagnostics::silent() const { return last_image_at_.since() > kSilence; }
 
+std::string Diagnostics::odd() const {
+  const std::string stamps = input_.stampProblem();
+  return stamps.empty() ? frame_problem_ : stamps;
+}
+
 void Diagnostics::update() {
   {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -78,9 +88,9 @@ void Diagnostics::update() {
     received_ = received;
     rate_at_ = now;
     if (silent()) logProblem(silence());
-    const std::string odd = input_.stampProblem();
-    if (!odd.empty() && (now - odd_logged_at_).toSec() > kLogAgain) {
-      ROS_WARN("camera: %s", odd.c_str());
+    const std::string problem = odd();
+    if (!problem.empty() && (now - odd_logged_at_).toSec() > kLogAgain) {
+      ROS_WARN("camera: %s", problem.c_str());
       odd_logged_at_ = now;
     }
   }
@@ -89,17 +99,18 @@ void Diagnostics::update() {
 
 void Diagnostics::camera(diagnostic_updater::DiagnosticStatusWrapper& status) {
   std::lock_guard<std::mutex> lock(mutex_);
-  const std::string odd = input_.stampProblem();
+  const std::string odd_problem = odd();
   if (silent() || (received_ == 0 && wants_images_()))
     status.summary(DiagnosticStatus::WARN, silence());
   else if (!problem_.empty())
     status.summary(DiagnosticStatus::ERROR, problem_);
-  else if (!odd.empty())
-    status.summary(DiagnosticStatus::WARN, odd);
+  else if (!odd_problem.empty())
+    status.summary(DiagnosticStatus::WARN, odd_problem);
   else if (received_ == 0)
     status.summary(DiagnosticStatus::OK, "no image yet, and nobody asked for one");
   else
     status.summary(DiagnosticStatus::OK, description_.empty() ? "images arrive" : description_);
+
   status.add("image topic", input_.imageTopic());
   status.add("camera_info topic", input_.infoTopic());
   status.add("image publishers", input_.imagePublishers());

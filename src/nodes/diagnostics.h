@@ -23,6 +23,8 @@ class Diagnostics {
   void cameraGood(const std::string& description);
   /// They are not: what is wrong, in a sentence.
   void cameraBad(const std::string& problem);
+  /// What is odd about the images' frame; "" when nothing is. The images are used all the same.
+  void frameOdd(const std::string& problem);
   void worked(double seconds, size_t objects, const std::string& reason, bool truncated);
   /// Starts the timer.
   void start();
@@ -34,12 +36,13 @@ class Diagnostics {
   void logProblem(const std::string& problem);  // with mutex_ held
   std::string silence() const;                  // why no image comes
   bool silent() const;                          // with mutex_ held
+  std::string odd() const;                      // about stamps or frame; with mutex_ held
 
   const CameraInput& input_;
   double period_;
   const std::function<bool()> wants_images_;
   std::mutex mutex_;
-  std::string description_, problem_;
+  std::string description_, problem_, frame_problem_;
   std::string logged_;
   ros::WallTime logged_at_, odd_logged_at_;
   Moment last_image_at_;

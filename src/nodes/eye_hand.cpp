@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::EyeHandParameters()), &exit_code))
     return exit_code;
+
   ros::init(argc, argv, "eye_hand");
   ros::NodeHandle node;  // keeps the node up
   const meh::NodeWatch watch;
@@ -35,10 +36,12 @@ int main(int argc, char** argv) {
       *frame = meh::withoutSlash(*frame);
     parameters.objects = meh::pathParameter("objects", parameters.objects);
     parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
+
     const meh::Puma560 arm(parameters.arm);
     const meh::ArmDescription description = meh::loadSameArm(parameters, arm);
     meh::warnOfOtherRobot(parameters.urdf);
     const meh::ModelBase models = meh::loadShapes(parameters.objects);
+
     const auto start = std::chrono::steady_clock::now();
     const meh::GraspAdvisor advisor(models, parameters, arm, description.tool0_from_tcp);
     for (size_t k = 0; k < models.objects.size(); ++k) {
@@ -46,6 +49,7 @@ int main(int argc, char** argv) {
       ROS_INFO("%s: %zu ways to hold it%s%s", models.objects[k].model.name.c_str(), grasps.grasps.size(),
                grasps.reason.empty() ? "" : "; ", grasps.reason.c_str());
     }
+
     const meh::EyeHandNode eye_hand_node(models, parameters, arm, advisor);
     ROS_INFO("ready; knows %s (grasps sampled in %.2f s)", models.names().c_str(),
              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

@@ -42,15 +42,6 @@ void copyJoints(const JointVector& joints, boost::array<double, 6>* field) {
 
 }  // namespace
 
-Rigid3 fromTransform(const geometry_msgs::Transform& transform) {
-  geometry_msgs::Pose pose;
-  pose.position.x = transform.translation.x;
-  pose.position.y = transform.translation.y;
-  pose.position.z = transform.translation.z;
-  pose.orientation = transform.rotation;
-  return fromPose(pose);
-}
-
 std::vector<SeenObject> toSeenObjects(const RecognizedObjectArray& array, const ModelBase& models) {
   std::vector<SeenObject> objects;
   for (const RecognizedObject& message : array.objects) objects.push_back(toSeenObject(message, models));

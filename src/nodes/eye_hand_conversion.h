@@ -1,5 +1,4 @@
 #pragma once
-#include <geometry_msgs/Transform.h>
 #include <monocular_eye_hand/GraspTarget.h>
 #include <monocular_eye_hand/LocatedObject.h>
 #include <monocular_eye_hand/RecognizedObjectArray.h>
@@ -12,8 +11,6 @@
 
 namespace monocular_eye_hand {
 
-/// `target_from_source` of tf's lookupTransform(target, source).
-Rigid3 fromTransform(const geometry_msgs::Transform& transform);
 
 /// The objects of one image. Throws BadInput naming the object and what is wrong with it: a name that is not
 /// in the model base, a pose, quaternion, covariance or probability that is none.

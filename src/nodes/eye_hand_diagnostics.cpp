@@ -64,6 +64,7 @@ void EyeHandDiagnostics::views(diagnostic_updater::DiagnosticStatusWrapper& stat
     status.summary(DiagnosticStatus::ERROR, "the last view was not used: " + problem_);
   else
     status.summary(DiagnosticStatus::OK, state.known);
+
   status.add("objects topic", state.objects_topic);
   status.add("camera_info topic", state.info_topic);
   status.add("camera_info publishers", state.info_publishers);

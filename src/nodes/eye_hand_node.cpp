@@ -6,6 +6,7 @@
 #include "nodes/eye_hand_conversion.h"
 #include "nodes/known_cell.h"
 #include "nodes/names.h"
+#include "nodes/stamps.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -125,35 +126,48 @@ std::string EyeHandNode::merge(const RecognizedObjectArray& view) {
   if (view.header.stamp.isZero()) throw BadInput("the view has no stamp: the camera's driver must set it");
   if (view.header.frame_id.empty())
     throw BadInput("the view has no frame_id: set the frame in the camera's driver");
+
   ObjectView input;
   input.objects = toSeenObjects(view, models_);
   input.stamp = view.header.stamp.toSec();
   input.complete = isComplete(view);
-  const sensor_msgs::CameraInfoConstPtr info = waitForInfo();
-  if (!info)
-    throw BadInput("no camera_info on " + infos_.getTopic() + ": start the camera, or remap the topic");
-  try {
-    input.camera = cameraFromInfo(*info, parameters_.rectified ? ImageKind::kRectified : ImageKind::kRaw);
-  } catch (const BadCameraInfo& e) {
-    throw BadInput("bad camera_info on " + infos_.getTopic() + ": " + e.what());
-  }
+  input.camera = camera();
+
   const std::string camera_frame = withoutSlash(view.header.frame_id);
-  const HandAtStamp hand = hand_.at(view.header.stamp, camera_frame, [this] { return stop_ || !ros::ok(); });
-  if (!hand.problem.empty()) throw BadInput(hand.problem);
+  const HandAtStamp hand = handAt(view.header.stamp, camera_frame);
   input.hand = hand.hand;
   input.hand_eye = hand.hand_eye;
   requireOpticalFrame(input, camera_frame, hand.table_height);
   input.known = knownCell(parameters_, hand.table_height, hand.hand.base_from_tool0 * advisor_.tool0FromTcp(),
                           hand.gripper);
+
   const SharedMap::Added added = map_.add(input, view.header.stamp);
-  if (added.went_back > 0) {
-    ROS_WARN("the stamps of the views went back by %.1f s: everything known is forgotten", added.went_back);
-    hand_.restart();
-  }
   if (added.before_forget) throw BeforeForget(added.report.refused);
   if (!added.report.refused.empty())
     throw BadInput(added.report.refused + " (call ~forget for every object)");
   return outcomesText(added.report, models_);
+}
+
+Camera EyeHandNode::camera() {
+  const sensor_msgs::CameraInfoConstPtr info = waitForInfo();
+  if (!info)
+    throw BadInput("no camera_info on " + infos_.getTopic() + ": start the camera, or remap the topic");
+  try {
+    return cameraFromInfo(*info, parameters_.rectified ? ImageKind::kRectified : ImageKind::kRaw);
+  } catch (const BadCameraInfo& e) {
+    throw BadInput("bad camera_info on " + infos_.getTopic() + ": " + e.what());
+  }
+}
+
+HandAtStamp EyeHandNode::handAt(const ros::Time& stamp, const std::string& camera_frame) {
+  const double went_back = map_.beginAgain(stamp);
+  if (went_back > 0)
+    ROS_WARN("the stamps of the views went back by %.1f s: everything known is forgotten", went_back);
+  HandAtStamp hand = hand_.at(stamp, camera_frame, [this] { return stop_ || !ros::ok(); });
+  // Whether tf could tell or not: it takes nothing that is much older than what it has.
+  if (went_back > 0) hand_.restart();
+  if (!hand.problem.empty()) throw BadInput(hand.problem);
+  return hand;
 }
 
 /// A camera's driver that names the body's frame puts every object somewhere else.
@@ -194,8 +208,9 @@ sensor_msgs::CameraInfoConstPtr EyeHandNode::waitForInfo() {
 
 void EyeHandNode::watchClock() {
   const ros::Time now = ros::Time::now();
-  if ((last_now_ - now).toSec() > kRestart) {
-    ROS_WARN("time went back by %.1f s: everything known is forgotten", (last_now_ - now).toSec());
+  const double went_back = secondsBetween(now, last_now_);
+  if (went_back > kRestart) {
+    ROS_WARN("time went back by %.1f s: everything known is forgotten", went_back);
     map_.clear();
   }
   last_now_ = now;

@@ -40,6 +40,9 @@ class EyeHandNode {
   void workOn(const RecognizedObjectArray& view);
   /// Merges the view. Throws BadInput with the reason why it is not used; what it returns are outcomes.
   std::string merge(const RecognizedObjectArray& view);
+  /// Both throw BadInput when it is not known.
+  Camera camera();
+  HandAtStamp handAt(const ros::Time& stamp, const std::string& camera_frame);
   void requireOpticalFrame(const ObjectView& view, const std::string& frame, double table_height);
   void refuse(const RecognizedObjectArray& view, const std::string& reason);
   /// Publishes what is known now.

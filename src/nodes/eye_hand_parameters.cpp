@@ -1,27 +1,10 @@
 #include "nodes/eye_hand_parameters.h"
 
 #include <cmath>
-#include <sstream>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
-namespace {
-
-void require(bool holds, const char* field, double value, const char* rule) {
-  if (holds) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be " << rule;
-  throw BadInput(text.str());
-}
-void requirePositive(const char* field, double value) {
-  require(std::isfinite(value) && value > 0, field, value, "positive");
-}
-void requireGiven(const char* field, const std::string& value, const char* what) {
-  if (value.empty()) throw BadInput(std::string(field) + " is not set: give " + what);
-}
-
-}  // namespace
 
 void EyeHandParameters::check() const {
   requireGiven("objects", objects, "the path of the model base, e.g. config/objects.yaml of this package");

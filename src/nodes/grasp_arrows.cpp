@@ -17,7 +17,8 @@ Marker arrow(const GraspTarget& target) {
   marker.points = {target.pregrasp.position, target.grasp.position};
   marker.scale.x = 0.006, marker.scale.y = 0.014, marker.scale.z = 0.02;  // shaft, head, head's length [m]
   // The better the grasp the greener.
-  marker.color.r = float(1 - target.quality), marker.color.g = float(target.quality);
+  marker.color.r = float(1 - target.quality);
+  marker.color.g = float(target.quality);
   marker.color.a = 1;
   marker.lifetime = ros::Duration(kRepeatedLifetime);
   return marker;
@@ -34,17 +35,20 @@ visualization_msgs::MarkerArray GraspArrows::build(const GraspTargetArray& grasp
     marker.id = key.second;
     array.markers.push_back(marker);
   };
+
   for (const GraspTarget& target : grasps.targets) {
     if (!target.feasible) continue;
     shown.emplace_back(target.name + "/grasp", target.instance);
     add(arrow(target), shown.back());
   }
+
   for (const auto& key : shown_) {
     if (std::find(shown.begin(), shown.end(), key) != shown.end()) continue;
     Marker deletion;
     deletion.action = Marker::DELETE;
     add(deletion, key);
   }
+
   shown_ = std::move(shown);
   return array;
 }

@@ -15,31 +15,19 @@ namespace {
 namespace enc = sensor_msgs::image_encodings;
 
 const std::vector<std::string>& convertible() {
-  static const std::vector<std::string> encodings{enc::MONO8,
-                                                  enc::TYPE_8UC1,
-                                                  enc::MONO16,
-                                                  enc::BGR8,
-                                                  enc::RGB8,
-                                                  enc::BGRA8,
-                                                  enc::RGBA8,
-                                                  enc::BGR16,
-                                                  enc::RGB16,
-                                                  enc::BGRA16,
-                                                  enc::RGBA16,
-                                                  enc::YUV422,
-                                                  enc::BAYER_RGGB8,
-                                                  enc::BAYER_BGGR8,
-                                                  enc::BAYER_GBRG8,
-                                                  enc::BAYER_GRBG8,
-                                                  enc::BAYER_RGGB16,
-                                                  enc::BAYER_BGGR16,
-                                                  enc::BAYER_GBRG16,
-                                                  enc::BAYER_GRBG16,
-                                                  "yuv422_yuy2",
-                                                  "yuyv",
-                                                  "yuyv422",
-                                                  "yuy2",
-                                                  "uyvy"};
+  static const std::vector<std::string> encodings{
+      // grey
+      enc::MONO8, enc::TYPE_8UC1, enc::MONO16,
+
+      // colour
+      enc::BGR8, enc::RGB8, enc::BGRA8, enc::RGBA8, enc::BGR16, enc::RGB16, enc::BGRA16, enc::RGBA16,
+
+      // one colour per pixel
+      enc::BAYER_RGGB8, enc::BAYER_BGGR8, enc::BAYER_GBRG8, enc::BAYER_GRBG8, enc::BAYER_RGGB16,
+      enc::BAYER_BGGR16, enc::BAYER_GBRG16, enc::BAYER_GRBG16,
+
+      // a grey per pixel, colours per two
+      enc::YUV422, "yuv422_yuy2", "yuyv", "yuyv422", "yuy2", "uyvy"};
   return encodings;
 }
 

@@ -1,16 +1,15 @@
 #include "nodes/hand_input.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <sstream>
-#include <vector>
 
+#include "monocular_eye_hand/geometry/seconds_text.h"
 #include "nodes/conversion.h"
 #include "nodes/eye_hand_conversion.h"
-#include "nodes/known_cell.h"
 #include "nodes/moment.h"
 #include "nodes/names.h"
+#include "nodes/optical_frame.h"
+#include "nodes/stamps.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -18,7 +17,6 @@ namespace {
 constexpr double kPoll = 0.005;  // while waiting for what is late [s]
 constexpr double kLongestWait =
     10;  // in `wait`s of the wall clock, when the clock stands: a bag may have ended
-constexpr double kSameAxes = 0.02;     // of two rotation matrices
 const double kLevel = std::cos(0.02);  // of the table's normal against base's z
 
 // tf ends its sentences in several ways.
@@ -32,32 +30,16 @@ HandInput::HandInput(const EyeHandParameters& parameters, const Puma560& arm)
     : parameters_(parameters),
       arm_(arm),
       history_(parameters.joint_names, parameters.memory),
+      grippers_(parameters.memory),
       buffer_(ros::Duration(parameters.memory)),
       listener_(buffer_) {
   joints_ = ros::NodeHandle().subscribe<sensor_msgs::JointState>(
       names::kJointStates, 200,
       [this](const sensor_msgs::JointStateConstPtr& message) { history_.add(*message, ros::Time::now()); },
       {}, ros::TransportHints().tcpNoDelay());
-  gripper_ = ros::NodeHandle().subscribe(names::kGripperState, 200, &HandInput::onGripper, this);
-}
-
-void HandInput::onGripper(const GripperState& state) {
-  const std::lock_guard<std::mutex> lock(gripper_mutex_);
-  if (!grippers_.empty() && state.header.stamp < grippers_.back().header.stamp) grippers_.clear();
-  grippers_.push_back(state);
-  while ((state.header.stamp - grippers_.front().header.stamp).toSec() > parameters_.memory)
-    grippers_.pop_front();
-}
-
-std::optional<GripperState> HandInput::gripperAt(const ros::Time& stamp) const {
-  const std::lock_guard<std::mutex> lock(gripper_mutex_);
-  const auto after =
-      std::upper_bound(grippers_.begin(), grippers_.end(), stamp,
-                       [](const ros::Time& t, const GripperState& g) { return t < g.header.stamp; });
-  if (after == grippers_.begin()) return std::nullopt;
-  const GripperState& last = *std::prev(after);
-  if ((stamp - last.header.stamp).toSec() > parameters_.max_joint_age) return std::nullopt;
-  return last;
+  gripper_ = ros::NodeHandle().subscribe<GripperState>(
+      names::kGripperState, 200,
+      [this](const GripperStateConstPtr& state) { grippers_.add(*state, ros::Time::now()); });
 }
 
 std::string HandInput::tableHeight(const ros::Time& stamp, double* height) const {
@@ -93,6 +75,7 @@ HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_fram
     if (last || (transforms && match == JointHistory::Match::kBetween)) break;
     ros::WallDuration(kPoll).sleep();
   }
+
   if (!tool_problem.empty())
     result.problem = tool_problem + " (start robot_state_publisher, or the arm's driver)";
   else if (!camera_problem.empty())
@@ -102,10 +85,12 @@ HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_fram
   else if (match == JointHistory::Match::kNone)
     result.problem = noJointsText(stamp);
   if (!result.problem.empty()) return result;
-  result.gripper = gripperAt(stamp);
+
+  result.gripper = grippers_.at(stamp, parameters_.max_joint_age);
   const HandPose by_joints = handPose(arm_, joints);
   result.hand.jacobian = by_joints.jacobian;
   if (match != JointHistory::Match::kBetween) return result;  // moving: an angle nearby proves nothing
+
   const Vector6d gap = difference(by_joints.base_from_tool0, result.hand.base_from_tool0);
   if (gap.head<3>().norm() <= parameters_.max_tf_distance && gap.tail<3>().norm() <= parameters_.max_tf_turn)
     return result;
@@ -121,7 +106,7 @@ std::string HandInput::current(JointVector* joints) const {
   ros::Time stamp;
   if (!history_.latest(joints, &stamp))
     return "no joint states on " + joints_.getTopic() + ": " + history_.problem();
-  const double age = (ros::Time::now() - stamp).toSec();
+  const double age = secondsBetween(stamp, ros::Time::now());
   if (age <= parameters_.max_joint_age) return "";
   return "the last joint state on " + joints_.getTopic() + " is " + secondsText(age) + " old";
 }
@@ -138,17 +123,7 @@ std::string HandInput::lookUp(const std::string& target, const std::string& sour
 }
 
 std::string HandInput::opticalFrameIn(const std::string& frame) const {
-  std::vector<std::string> all;
-  buffer_._getFrameStrings(all);
-  for (const std::string& other : all) {
-    std::string parent;
-    if (other.find("optical") == std::string::npos || !buffer_._getParent(other, ros::Time(0), parent))
-      continue;
-    Rigid3 frame_from_other;
-    if (parent != frame || !lookUp(frame, other, ros::Time(0), &frame_from_other).empty()) continue;
-    if ((frame_from_other.rotation - bodyFromOptical()).cwiseAbs().maxCoeff() < kSameAxes) return other;
-  }
-  return "";
+  return monocular_eye_hand::opticalFrameIn(buffer_, frame);
 }
 
 std::string HandInput::noJointsText(const ros::Time& stamp) const {
@@ -160,7 +135,7 @@ std::string HandInput::noJointsText(const ros::Time& stamp) const {
   if (!history_.latest(&joints, &latest))
     text << ": " << history_.problem();
   else
-    text << ": the latest one is " << secondsText((stamp - latest).toSec()) << " older";
+    text << ": the latest one is " << secondsText(secondsBetween(latest, stamp)) << " older";
   return text.str();
 }
 

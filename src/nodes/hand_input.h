@@ -4,14 +4,13 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <deque>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 
 #include "monocular_eye_hand/eye_hand/chain.h"
 #include "nodes/eye_hand_parameters.h"
+#include "nodes/gripper_history.h"
 #include "nodes/joint_history.h"
 
 namespace monocular_eye_hand {
@@ -36,9 +35,7 @@ class HandInput {
   /// The joints now; returns why they are not known, "" when they are.
   std::string current(JointVector* joints) const;
   uint32_t jointPublishers() const { return joints_.getNumPublishers(); }
-  /// A frame of tf that hangs in `frame` as an optical frame (z forward) hangs in its camera's body (x
-  /// forward);
-  /// "" when there is none.
+  /// As opticalFrameIn() of tf.
   std::string opticalFrameIn(const std::string& frame) const;
   /// Stamps start again: what was known of tf is forgotten.
   void restart() { buffer_.clear(); }
@@ -50,16 +47,13 @@ class HandInput {
   std::string noJointsText(const ros::Time& stamp) const;
   /// Sets `height` in base; returns why it is not known.
   std::string tableHeight(const ros::Time& stamp, double* height) const;
-  void onGripper(const GripperState& state);
-  std::optional<GripperState> gripperAt(const ros::Time& stamp) const;
 
   const EyeHandParameters& parameters_;
   const Puma560& arm_;
   JointHistory history_;
+  GripperHistory grippers_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
-  mutable std::mutex gripper_mutex_;
-  std::deque<GripperState> grippers_;  // by stamp
   ros::Subscriber joints_, gripper_;
 };
 

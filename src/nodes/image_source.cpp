@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::ImageSourceParameters()), &exit_code))
     return exit_code;
+
   ros::init(argc, argv, "image_source");
   ros::NodeHandle node;  // keeps the node up
   const meh::NodeWatch watch;
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
     meh::readOptions(meh::privateParameters({"image_raw"}), &parameters);
     parameters.source = meh::pathParameter("source", parameters.source);
     parameters.camera_info = meh::pathParameter("camera_info", parameters.camera_info);
+
     ros::AsyncSpinner spinner(1);
     meh::ImageSourceNode source(parameters);
     spinner.start();

@@ -77,7 +77,8 @@ void ImageSourceNode::publish(const SequenceImage& image) {
   sensor_msgs::CameraInfo info = calibration_->getCameraInfo();
   const int width = image.image.cols, height = image.image.rows;
   if (info.width == 0 && info.height == 0) {
-    info.width = uint32_t(width), info.height = uint32_t(height);
+    info.width = uint32_t(width);
+    info.height = uint32_t(height);
   } else if (int(info.width) != width || int(info.height) != height) {
     throw BadInput(image.name + " is " + size(width, height) + " but the calibration " +
                    parameters_.camera_info + " is for " + size(int(info.width), int(info.height)) +

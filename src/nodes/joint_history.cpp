@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "nodes/stamps.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -38,11 +40,11 @@ void JointHistory::add(const sensor_msgs::JointState& message, const ros::Time& 
 void JointHistory::addAngle(size_t joint, const Entry& entry) {
   std::deque<Entry>& entries = entries_[joint];
   if (!entries.empty() && entry.stamp <= entries.back().stamp) {
-    if ((entries.back().stamp - entry.stamp).toSec() <= kRestart) return;
+    if (secondsBetween(entry.stamp, entries.back().stamp) <= kRestart) return;
     entries.clear();
   }
   entries.push_back(entry);
-  while ((entries.back().stamp - entries.front().stamp).toSec() > memory_) entries.pop_front();
+  while (secondsBetween(entries.front().stamp, entries.back().stamp) > memory_) entries.pop_front();
 }
 
 JointHistory::Match JointHistory::angleAt(size_t joint, const ros::Time& stamp, double max_gap,
@@ -53,8 +55,8 @@ JointHistory::Match JointHistory::angleAt(size_t joint, const ros::Time& stamp, 
   const Entry* next = after == entries.end() ? nullptr : &*after;
   const Entry* last = after == entries.begin() ? nullptr : &*(after - 1);
   if (next && next->stamp == stamp) last = next;
-  const double to_next = next ? (next->stamp - stamp).toSec() : max_gap + 1;
-  const double to_last = last ? (stamp - last->stamp).toSec() : max_gap + 1;
+  const double to_next = next ? secondsBetween(stamp, next->stamp) : max_gap + 1;
+  const double to_last = last ? secondsBetween(last->stamp, stamp) : max_gap + 1;
   if (to_next <= max_gap && to_last <= max_gap) {
     const double share = to_last > 0 ? to_last / (to_last + to_next) : 0;
     *angle = last->angle + share * (next->angle - last->angle);

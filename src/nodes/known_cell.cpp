@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "nodes/optical_frame.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -51,12 +53,6 @@ KnownSpace knownCell(const EyeHandParameters& parameters, double table_height, c
     known.boxes.push_back(inHand("the hand", base_from_tcp, vectorOf(box.centre), vectorOf(box.size)));
   if (gripper) addFingers(parameters.gripper, *gripper, parameters.held_width, base_from_tcp, &known.boxes);
   return known;
-}
-
-Eigen::Matrix3d bodyFromOptical() {
-  Eigen::Matrix3d rotation;
-  rotation << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return rotation;
 }
 
 FrameAxes axesOf(const ObjectView& view, const ModelBase& models, double table_height) {

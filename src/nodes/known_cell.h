@@ -14,9 +14,6 @@ namespace monocular_eye_hand {
 KnownSpace knownCell(const EyeHandParameters& parameters, double table_height, const Rigid3& base_from_tcp,
                      const std::optional<GripperState>& gripper);
 
-/// Turns the axes of an optical frame (z forward, y down) into those of its camera's body (x forward, z up).
-Eigen::Matrix3d bodyFromOptical();
-
 /// What the objects of a view say of the axes of its frame.
 enum class FrameAxes {
   kUnknown,

@@ -21,7 +21,9 @@ constexpr double kViewLine = 0.002;      // [m]
 
 std_msgs::ColorRGBA toColour(double r, double g, double b) {
   std_msgs::ColorRGBA colour;
-  colour.r = float(r), colour.g = float(g), colour.b = float(b);
+  colour.r = float(r);
+  colour.g = float(g);
+  colour.b = float(b);
   colour.a = 1;
   return colour;
 }

@@ -6,7 +6,7 @@
 #include <ros/master.h>
 #include <ros/this_node.h>
 
-#include <cstdio>
+#include "monocular_eye_hand/geometry/seconds_text.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -22,12 +22,6 @@ bool knownToMaster() {
   arguments[0] = ros::this_node::getName();
   arguments[1] = ros::this_node::getName();
   return ros::master::execute("lookupNode", arguments, result, payload, false);
-}
-
-std::string fixed(double seconds, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f s", digits, seconds);
-  return text;
 }
 
 }  // namespace
@@ -56,7 +50,7 @@ void NodeWatch::watchClock() {
   const ros::Time now = ros::Time::now();
   const double stands = (ros::WallTime::now() - ticked_at_).toSec();
   if (now == clock_) return tellClock(stands);
-  if (told_) ROS_INFO("the clock goes on, after %s", fixed(stands, 1).c_str());
+  if (told_) ROS_INFO("the clock goes on, after %s", secondsText(stands, 1).c_str());
   told_ = false;
   clock_ = now;
   ticked_at_ = ros::WallTime::now();
@@ -69,13 +63,13 @@ void NodeWatch::tellClock(double stands) {
     ROS_WARN(
         "use_sim_time is set and nothing came on /clock for %s: start the simulation or the bag (rosbag play "
         "--clock), or set use_sim_time to false before the nodes start",
-        fixed(stands, 0).c_str());
+        secondsText(stands, 0).c_str());
   else
     ROS_WARN(
         "the clock stands at %s since %s: is the simulation or the bag paused, or the machine too busy? "
         "Waits of "
         "this node are paused, too",
-        fixed(clock_.toSec(), 3).c_str(), fixed(stands, 1).c_str());
+        secondsText(clock_.toSec(), 3).c_str(), secondsText(stands, 1).c_str());
 }
 
 std::string NodeWatch::clockProblem() const {
@@ -83,8 +77,9 @@ std::string NodeWatch::clockProblem() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const double stands = (ros::WallTime::now() - ticked_at_).toSec();
   if (stands < kStands) return "";
-  if (clock_.isZero()) return "nothing came on /clock yet, though use_sim_time is set";
-  return "the clock stands at " + fixed(clock_.toSec(), 3) + " since " + fixed(stands, 1) +
+  if (clock_.isZero())
+    return "nothing came on /clock yet, though use_sim_time is set: does the simulation run?";
+  return "the clock stands at " + secondsText(clock_.toSec(), 3) + " since " + secondsText(stands, 1) +
          ": is the simulation paused, or the machine too busy?";
 }
 

@@ -1,20 +1,12 @@
 #include <ros/ros.h>
 
-#include <atomic>
-#include <csignal>
-
 #include "nodes/command_line.h"
 #include "nodes/conversion.h"
+#include "nodes/ending.h"
 #include "nodes/parameter_server.h"
 #include "nodes/planner_node.h"
 
 namespace meh = monocular_eye_hand;
-
-namespace {
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-void onSignal(int) { interrupted = true; }
-}  // namespace
 
 int main(int argc, char** argv) {
   const meh::NodeHelp help{"planner",
@@ -27,8 +19,10 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::PlannerParameters()), &exit_code))
     return exit_code;
-  // The node's own handlers: an arm that moves is stopped before the topics go away.
+
+  // An arm that moves is stopped before the topics go away.
   ros::init(argc, argv, "planner", ros::init_options::NoSigintHandler);
+  meh::ending::takeRequests();
   ros::NodeHandle node;  // keeps the node up
   try {
     meh::PlannerParameters parameters;
@@ -37,16 +31,18 @@ int main(int argc, char** argv) {
     parameters.base_frame = meh::withoutSlash(parameters.base_frame);
     parameters.objects = meh::pathParameter("objects", parameters.objects);
     parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
-    const meh::NodeWatch watch([] { interrupted = true; });
+    const meh::NodeWatch watch(meh::ending::ask);
+
     ros::AsyncSpinner spinner(2);
     meh::PlannerNode planner(parameters, watch);
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    meh::ending::takeSignals();
     spinner.start();
     ROS_INFO("ready; %zu places in the drop zone", parameters.drop_zone.places().size());
-    while (ros::ok() && !interrupted) ros::WallDuration(0.05).sleep();
+    while (ros::ok() && !meh::ending::asked()) ros::WallDuration(0.05).sleep();
+
     planner.stop();
     ros::shutdown();
+    spinner.stop();
     return 0;
   } catch (const std::exception& e) {
     ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());

@@ -77,7 +77,10 @@ visualization_msgs::Marker pathMarker(const std::string& frame, const ToolArm& a
   marker.action = visualization_msgs::Marker::ADD;
   marker.pose.orientation.w = 1;
   marker.scale.x = kMarkerWidth;
-  marker.color.r = 0.1f, marker.color.g = 0.8f, marker.color.b = 0.9f, marker.color.a = 1;
+  marker.color.r = 0.1f;
+  marker.color.g = 0.8f;
+  marker.color.b = 0.9f;
+  marker.color.a = 1;
   for (const Trajectory& motion : motions)
     for (double t = 0; t < motion.duration() + kMarkerStep; t += kMarkerStep) {
       const TrajectoryState at = motion.sample(std::min(t, motion.duration()));

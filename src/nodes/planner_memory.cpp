@@ -1,6 +1,8 @@
 #include "nodes/planner_memory.h"
 
 #include <XmlRpcException.h>
+#include <ros/console.h>
+#include <ros/master.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
 
@@ -72,11 +74,16 @@ std::optional<PickMemory> fromParameter(Value value) {
   return memory;
 }
 
+// Not by ros::param::set(): while the master is away that waits for it, with the fingers about to close.
 void keepMemory(const std::optional<PickMemory>& memory) {
-  if (memory)
-    ros::param::set(parameterName(), toParameter(*memory));
-  else
-    ros::param::del(parameterName());
+  Value arguments, result, payload;
+  arguments[0] = ros::this_node::getName();
+  arguments[1] = parameterName();
+  if (memory) arguments[2] = toParameter(*memory);
+  const bool kept =
+      ros::master::execute(memory ? "setParam" : "deleteParam", arguments, result, payload, false);
+  if (memory && !kept)
+    ROS_WARN("the master does not keep what is picked: a planner that starts again would not know it");
 }
 
 std::optional<PickMemory> keptMemory() {

@@ -43,12 +43,14 @@ WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   } catch (const BadInput& e) {
     return refuse(e.what());
   }
+
   recall();
   watch.say("plan", 0);
   const ros::WallTime begin = ros::WallTime::now();
   request.start = start();
   const GripperState gripper = driver_.gripper();
   if (held_ && !lost(gripper).empty()) held_.reset();
+
   const bool drops = held_ && goal.open_gripper;
   CollisionWorld world = scene_.world(held_ ? std::optional<SceneObject>(held_->object) : std::nullopt, -1,
                                       inHand(request.start));
@@ -63,6 +65,7 @@ WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   }
   world.setGripperWidth(opening);
   for (const auto& pair : touching(world)) request.touching.push_back(pair);
+
   MovePlan plan;
   const bool there =
       !request.joints.empty() && (request.joints[0] - request.start).cwiseAbs().maxCoeff() <= kThere;
@@ -74,6 +77,7 @@ WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   }
   const double planning_time = (ros::WallTime::now() - begin).toSec();
   watch.say("plan", 1);
+
   WorkResult done = plan.planned() ? driveMove(plan, goal.open_gripper ? opening : -1, watch)
                                    : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
   if (plan.outcome == MoveOutcome::kStartInCollision) done.reason += "; " + recoverHint();

@@ -4,19 +4,11 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-void require(bool ok, const char* field, double value, const char* rule) {
-  if (ok) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be " << rule;
-  throw BadInput(text.str());
-}
-void requirePositive(const char* field, double value) {
-  require(std::isfinite(value) && value > 0, field, value, "positive");
-}
 void requireFinite(const char* field, double value) {
   require(std::isfinite(value) && std::abs(value) < 100, field, value, "within +-100");
 }
@@ -76,18 +68,14 @@ void ExecutionOptions::check() const {
 }
 
 void PlannerParameters::check() const {
-  if (objects.empty())
-    throw BadInput(
-        "objects is not set: give the path of the model base, e.g. config/objects.yaml of this package");
-  if (urdf.empty())
-    throw BadInput(
-        "urdf is not set: give the path of the arm's URDF, e.g. urdf/puma560.urdf of this package");
+  requireGiven("objects", objects, "the path of the model base, e.g. config/objects.yaml of this package");
+  requireGiven("urdf", urdf, "the path of the arm's URDF, e.g. urdf/puma560.urdf of this package");
   if (base_frame.empty()) throw BadInput("base_frame is empty");
   requireShare("drop_gap", drop_gap, 0.05);
   requirePositive("drop_above", drop_above);
   require(drop_above > drop_gap, "drop_above", drop_above, "more than drop_gap");
-  requirePositive("feedback_period", feedback_period),
-      requirePositive("diagnostic_period", diagnostic_period);
+  requirePositive("feedback_period", feedback_period);
+  requirePositive("diagnostic_period", diagnostic_period);
   requireOwnNames(boxes);
 }
 

@@ -36,6 +36,11 @@ std::vector<Trajectory> trajectoriesOf(const std::vector<PickMotion>& motions) {
   return trajectories;
 }
 
+std::string noPlace(int place, size_t places) {
+  return "there is no place " + std::to_string(place) + ": the drop zone has " + std::to_string(places) +
+         ", counted from 0";
+}
+
 constexpr double kRecheck = 0.005;  // step of a kept plan that is tested again [rad]
 
 }  // namespace
@@ -64,22 +69,23 @@ WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
     return refuse(e.what());
   }
   if (goal.place < 0 || goal.place >= int(places_.size()))
-    return result(PickResult::UNREACHABLE, "there is no place " + std::to_string(goal.place) +
-                                               ": the drop zone has " + std::to_string(places_.size()) +
-                                               ", counted from 0");
+    return result(PickResult::UNREACHABLE, noPlace(goal.place, places_.size()));
   if (!seen_)
     return result(PickResult::FAULT, "nothing came on eye_hand/objects yet: what stands around is not known");
+
   recall();
   const GripperState gripper = driver_.gripper();
   if (held_ && lost(gripper).empty())
     return result(PickResult::FAULT,
                   "the gripper holds " + held_->object.label() + ": place it first; " + recoverHint());
   held_.reset();
+
   watch.say("plan", 0);
   const ros::WallTime begin = ros::WallTime::now();
   const PlannedPick planned = planThePick(object, target, goal.place);
   const double planning_time = secondsSince(begin);
   watch.say("plan", 1);
+
   WorkResult done;
   if (!planned.refused.empty())
     done = result(PickResult::IN_COLLISION, planned.refused);
@@ -102,12 +108,14 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, con
     planned.refused = "opening the gripper where it stands: " + planned.refused + "; " + recoverHint();
     return planned;
   }
+
   world.setGripperWidth(target.open_width);
   planned.departure = planDeparture(arm_, world, joints, touching(world), parameters_.planning);
   if (!planned.departure.possible) {
     planned.refused = planned.departure.reason + "; " + recoverHint();
     return planned;
   }
+
   PickRequest& request = planned.kept.request;
   request.start = planned.departure.end;
   request.target = target;
@@ -118,6 +126,7 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, con
   planned.kept.place = place;
   planned.kept.plan = planPick(arm_, world, request, parameters_.planning);
   if (planned.kept.plan.outcome != PickOutcome::kNoPathToGrasp) return planned;
+
   // Perhaps the arm was stopped in a narrow place.
   for (const Departure& withdrawal :
        planWithdrawals(arm_, world, joints, touching(world), parameters_.planning)) {
@@ -140,16 +149,19 @@ WorkResult PlannerWork::drivePick(const SceneObject& object, const PlannedPick& 
   if (!planned.departure.trajectory.points.empty()) shown.insert(shown.begin(), planned.departure.trajectory);
   watch.show(shown);
   if (watch.cancelled()) return result(PickResult::CANCELLED, "cancelled before anything moved");
+
   const DriveWatch reach = driveWatch(watch, "reach", false);
   Drive drive = driver_.openGripper(planned.kept.request.target.open_width, reach);
   if (drive.done()) drive = driver_.follow(planned.departure.trajectory, reach);
   if (drive.done()) visit_ = {};
   if (drive.done()) drive = driver_.follow(motions[0].trajectory, reach);
   if (!drive.done()) return result(drive);
+
   visit_ = {object, planned.kept.request.target.open_width};
   drive = driver_.follow(motions[1].trajectory, driveWatch(watch, "approach", false));
   if (drive.done()) drive = closeOn(object, planned.kept, driveWatch(watch, "close", false));
   if (drive.done()) drive = driver_.follow(motions[2].trajectory, driveWatch(watch, "lift", true));
+
   if (drive.end == DriveEnd::kLost) {
     held_.reset();
     keepMemory(std::nullopt);
@@ -209,9 +221,8 @@ PickPlan PlannerWork::planThePlace(int place, const JointVector& joints, bool fr
 WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   driver_.resetMotionTime();
   if (goal.place < 0 || goal.place >= int(places_.size()))
-    return result(PickResult::UNREACHABLE, "there is no place " + std::to_string(goal.place) +
-                                               ": the drop zone has " + std::to_string(places_.size()) +
-                                               ", counted from 0");
+    return result(PickResult::UNREACHABLE, noPlace(goal.place, places_.size()));
+
   recall();
   if (!held_)
     return result(
@@ -222,6 +233,7 @@ WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
     held_.reset();
     return result(PickResult::GRASP_LOST, gone);
   }
+
   watch.say("plan", 0);
   const ros::WallTime begin = ros::WallTime::now();
   const JointVector joints = start();
@@ -235,6 +247,7 @@ WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   held_->kept.reset();
   const double planning_time = secondsSince(begin);
   watch.say("plan", 1);
+
   WorkResult done = plan.planned() ? drivePlace(goal.place, plan.motions, watch)
                                    : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
   if (plan.outcome == PickOutcome::kStartInCollision) done.reason += "; " + recoverHint();
@@ -254,6 +267,7 @@ WorkResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& mot
     if (drive.end == DriveEnd::kLost) held_.reset();
     if (!drive.done()) return result(drive);
   }
+
   SceneObject object = held_->object;
   object.base_from_object = arm_.baseFromTcp(motions[motions.size() - 2].trajectory.points.back().position) *
                             held_->tcp_from_object;
@@ -262,6 +276,7 @@ WorkResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& mot
   visit_ = {object, opening};
   drive = driver_.openGripper(opening, driveWatch(watch, "open", false));
   if (drive.end == DriveEnd::kFault) return result(drive);
+
   held_.reset();
   keepMemory(std::nullopt);
   scene_.putDown(place, object);

@@ -115,6 +115,7 @@ WorkResult PlannerWork::recover(const WorkWatch& watch) {
   if (held_ && !lost(gripper).empty()) held_.reset();
   if (!held_ && holdsSomething(gripper)) holdUnknown(gripper, joints);
   if (held_) held_->kept.reset();
+
   const CollisionWorld world = worldNow(joints, gripper.width);
   TouchingPairs touching_pairs = touching(world);
   if (held_) touching_pairs.emplace_back(held_->object.label(), "table");
@@ -133,6 +134,7 @@ WorkResult PlannerWork::recover(const WorkWatch& watch) {
     said = "backed off by " + millimetres(way) + "; ";
     done = result(driver_.follow(departure.trajectory, driveWatch(watch, "withdraw", held_.has_value())));
   }
+
   if (done.outcome == PickResult::DONE) {
     const bool holds = held_.has_value();
     if (!holds) visit_ = {};

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::RecognizerParameters()), &exit_code))
     return exit_code;
+
   ros::init(argc, argv, "recognizer");
   ros::NodeHandle node;  // keeps the node up
   const meh::NodeWatch watch;
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
     // image_transport's plugins keep their settings below the name of the topic they publish.
     meh::readOptions(meh::privateParameters({"overlay"}), &parameters);
     parameters.objects = meh::pathParameter("objects", parameters.objects);
+
     ROS_INFO("loading the model base %s (compiled once, then cached)", parameters.objects.c_str());
     const auto tell = [](const std::string& step) { ROS_INFO("%s", step.c_str()); };
     const meh::Recognizer recognizer(meh::loadModelBase(parameters.objects, {}, parameters.cache, tell),
@@ -34,12 +36,11 @@ int main(int argc, char** argv) {
     for (const meh::KnownObject& known : recognizer.models().objects)
       for (const std::string& warning : known.model.warnings)
         ROS_WARN("%s: %s", known.model.name.c_str(), warning.c_str());
+
     const meh::RecognizerNode recognizer_node(recognizer, parameters);
     ROS_INFO("ready; knows %s", recognizer.models().names().c_str());
     ros::spin();
     return 0;
-  } catch (const meh::BadInput& e) {
-    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
   } catch (const std::exception& e) {
     ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
   }

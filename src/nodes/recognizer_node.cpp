@@ -9,6 +9,8 @@
 #include "nodes/conversion.h"
 #include "nodes/grey_image.h"
 #include "nodes/names.h"
+#include "nodes/optical_frame.h"
+#include "nodes/stamps.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -60,6 +62,7 @@ RecognizerNode::RecognizerNode(const Recognizer& recognizer, const RecognizerPar
       support_(parameters.support),
       service_node_(privateNodeOn(&service_queue_)),
       service_spinner_(kServiceThreads, &service_queue_) {
+  fixed_frames_subscriber_ = node_.subscribe("/tf_static", 100, &RecognizerNode::onFixedFrames, this);
   worker_ = std::thread(&RecognizerNode::work, this);
   diagnostics_.start();
   service_ = service_node_.advertiseService(names::kRecognize, &RecognizerNode::onRecognize, this);
@@ -95,6 +98,7 @@ void RecognizerNode::workOn(const CameraFrame& frame, const std::vector<PendingR
     support_restarts_ = frame.restarts;
     image.support = support_.at(image.header);
     warnAboutCamera(image.camera);
+    diagnostics_.frameOdd(frameProblem(image.header.frame_id));
     outputs_.showView(image.header, image.camera);
     diagnostics_.cameraGood(std::to_string(image.grey.cols) + "x" + std::to_string(image.grey.rows) + " " +
                             frame.image->encoding);
@@ -127,6 +131,20 @@ void RecognizerNode::warnAboutCamera(const Camera& camera) {
   for (const std::string& warning : cameraWarnings(camera)) ROS_WARN("camera_info: %s", warning.c_str());
   for (const std::string& warning : sizeWarnings(recognizer_.models(), camera, recognizer_.options()))
     ROS_WARN("%s", warning.c_str());
+}
+
+void RecognizerNode::onFixedFrames(const tf2_msgs::TFMessage& message) {
+  for (const geometry_msgs::TransformStamped& transform : message.transforms)
+    fixed_frames_.setTransform(transform, "/tf_static", true);
+}
+
+std::string RecognizerNode::frameProblem(const std::string& frame) const {
+  const std::string optical = opticalFrameIn(fixed_frames_, frame);
+  if (optical.empty()) return "";
+  return "the images' frame " + frame +
+         " is the body of the camera (x forward), and the objects lie elsewhere in it; "
+         "its optical frame is " +
+         optical + ": set the parameter camera_frame to that";
 }
 
 WorkedImage RecognizerNode::prepare(const CameraFrame& frame) const {
@@ -177,8 +195,8 @@ bool RecognizerNode::fromBeforeRestart(const WorkedImage& image) const {
   if (image.restarts != input_.restarts()) return true;
   const ros::Time now = ros::Time::now();
   if (!ros::Time::isSimTime() || now.isZero()) return false;
-  const bool clock_went_back = (image.clock - now).toSec() > kRestart;
-  const bool late = (image.header.stamp - now).toSec() > kRestart && !input_.stampsInFuture();
+  const bool clock_went_back = secondsBetween(now, image.clock) > kRestart;
+  const bool late = secondsBetween(now, image.header.stamp) > kRestart && !input_.stampsInFuture();
   return clock_went_back || late;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <atomic>
 #include <string>
@@ -30,6 +32,10 @@ class RecognizerNode {
   void workOn(const CameraFrame& frame, const std::vector<PendingRequestPtr>& requests, bool publish_all);
   /// Tells once what looks wrong about the camera, and which objects it cannot see.
   void warnAboutCamera(const Camera& camera);
+  void onFixedFrames(const tf2_msgs::TFMessage& message);
+  /// An optical frame hangs in the frame of the images, which is then the camera's body. "": none that is
+  /// known.
+  std::string frameProblem(const std::string& frame) const;
   /// Header, grey image and camera of a frame; throws BadImage or BadCameraInfo.
   WorkedImage prepare(const CameraFrame& frame) const;
   /// Searches, publishes, and returns the service's reply.
@@ -42,12 +48,14 @@ class RecognizerNode {
   const RecognizerParameters parameters_;
   Outputs outputs_;
   CameraInput input_;
+  tf2::BufferCore fixed_frames_;
   Diagnostics diagnostics_;
   Requests requests_;
   SupportInput support_;
   uint64_t support_restarts_ = 0;  // CameraFrame::restarts of the image before
   ros::CallbackQueue service_queue_;
-  ros::NodeHandle service_node_;
+  ros::NodeHandle node_, service_node_;
+  ros::Subscriber fixed_frames_subscriber_;
   ros::ServiceServer service_;
   ros::AsyncSpinner service_spinner_;
   std::atomic<bool> stop_{false}, camera_checked_{false};

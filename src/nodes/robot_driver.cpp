@@ -15,7 +15,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr auto kPoll = std::chrono::milliseconds(10);
-constexpr double kLongestStop = 2;   // in stop_timeouts of the wall clock, when the clock stands
+constexpr double kLongestStop = 2;   // in time-outs of the wall clock, when the clock stands
 constexpr double kStalledFor = 1.0;  // fingers that begin to open may still be said to be stalled [s, cell]
 
 std::string silence(const char* topic, const Moment& last, double longest) {
@@ -182,6 +182,7 @@ Drive RobotDriver::closeGripper(double width, const DriveWatch& watch) {
 
 Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& watch) {
   const ros::Time start = ros::Time::now();
+  const ros::WallTime wall_start = ros::WallTime::now();
   const Moment begin = Moment::now();
   if (watch.feedback) watch.feedback(0);
   std_msgs::Float64 command;
@@ -206,6 +207,9 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
     if (begin.since() > options_.gripper_timeout)
       return fault("the gripper did not go to " + std::to_string(width * 1e3) + " mm in time: it stands at " +
                    std::to_string(state.width * 1e3) + " mm");
+    const double wall = (ros::WallTime::now() - wall_start).toSec();
+    if (wall > kLongestStop * options_.gripper_timeout && watch.cancelled())
+      return fault("cancelled; the clock stands: whether the fingers moved is not known");
     changed_.wait_for(lock, kPoll);
   }
   lock.unlock();

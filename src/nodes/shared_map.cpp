@@ -1,6 +1,7 @@
 #include "nodes/shared_map.h"
 
 #include "nodes/eye_hand_conversion.h"
+#include "nodes/stamps.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -12,14 +13,18 @@ constexpr double kRestart = 1.0;  // stamps that go back by more begin again [s]
 SharedMap::SharedMap(const ModelBase& models, const ObjectMapOptions& options, const std::string& base_frame)
     : models_(models), base_frame_(base_frame), map_(&models, options) {}
 
+double SharedMap::beginAgain(const ros::Time& stamp) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const double went_back = secondsBetween(stamp, newest_);
+  if (went_back <= kRestart) return 0;
+  clearAll();
+  return went_back;
+}
+
 SharedMap::Added SharedMap::add(const ObjectView& view, const ros::Time& stamp) {
   std::lock_guard<std::mutex> lock(mutex_);
   Added added;
   ViewReport& report = added.report;
-  if ((newest_ - stamp).toSec() > kRestart) {
-    added.went_back = (newest_ - stamp).toSec();
-    clearAll();
-  }
   added.before_forget = stamp < not_before_;
   if (added.before_forget)
     report.refused = "the view is older than the last ~forget";
@@ -27,13 +32,18 @@ SharedMap::Added SharedMap::add(const ObjectView& view, const ros::Time& stamp) 
     report = map_.add(view);
   refused_ = report.refused;
   if (!report.refused.empty()) return added;
+
   stamp_ = newest_ = stamp;
   table_height_ = view.known.table_height;
   ruled_out_ = ruledOut(report);
   std::map<std::pair<int, int>, ros::Time> stamps;
   for (const MappedObject& object : map_.objects()) {
     const std::pair<int, int> key(object.object, object.number);
-    stamps[key] = object.last_stamp == view.stamp ? stamp : stamps_[key];
+    const auto known = stamps_.find(key);
+    if (object.last_stamp == view.stamp)
+      stamps[key] = stamp;
+    else  // what had yielded to another one until now has none
+      stamps[key] = known != stamps_.end() ? known->second : ros::Time(object.last_stamp);
   }
   stamps_ = std::move(stamps);
   return added;

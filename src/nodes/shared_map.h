@@ -28,12 +28,13 @@ class SharedMap {
  public:
   /// `models` must outlive it.
   SharedMap(const ModelBase& models, const ObjectMapOptions& options, const std::string& base_frame);
-  /// Throws BadInput as ObjectMap::add. A view whose stamp is more than a second before the last one's begins
-  /// a new map: a bag is played again, or somebody set a clock. One from before the last ~forget is left out.
+  /// A view whose stamp is more than a second before the last one's begins a new map: a bag is played again,
+  /// or somebody set a clock. Returns how far the stamps went back [s]; 0: they did not.
+  double beginAgain(const ros::Time& stamp);
+  /// Throws BadInput as ObjectMap::add. A view from before the last ~forget is left out.
   struct Added {
     ViewReport report;
     bool before_forget = false;  ///< refused, as it should be
-    double went_back = 0;        ///< [s]; 0: it did not
   };
   Added add(const ObjectView& view, const ros::Time& stamp);
   /// A view that never came to the map.

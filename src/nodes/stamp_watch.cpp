@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "nodes/stamps.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -12,12 +14,12 @@ constexpr int kInARow = 3;        // images with the same fault: the camera's wa
 }  // namespace
 
 void StampWatch::add(const ros::Time& stamp, const ros::Time& now) {
-  if ((last_ - stamp).toSec() > kRestart) ++restarts_;
+  if (secondsBetween(stamp, last_) > kRestart) ++restarts_;
   repeated_ = stamp == last_ ? repeated_ + 1 : 0;
   last_ = stamp;
 
   problem_.clear();
-  const double ahead = now.isZero() ? 0 : (stamp - now).toSec();
+  const double ahead = now.isZero() ? 0 : secondsBetween(now, stamp);
   ahead_ = ahead > kFuture ? ahead_ + 1 : 0;  // one alone may be the last of a bag that plays again
   if (stamp.isZero()) {
     problem_ = "the images have no stamp (zero): the camera's driver must set header.stamp";

@@ -2,10 +2,15 @@
 #include <monocular_eye_hand/ClearFrameAction.h>
 #include <ros/ros.h>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+
 #include "monocular_eye_hand/model/model_base.h"
 #include "nodes/command_line.h"
 #include "nodes/conversion.h"
+#include "nodes/ending.h"
 #include "nodes/node_watch.h"
 #include "nodes/parameter_server.h"
 #include "nodes/task_messages.h"
@@ -13,6 +18,8 @@
 
 namespace monocular_eye_hand {
 namespace {
+
+constexpr std::chrono::seconds kLongestStop(10);  // roslaunch waits no longer than 15 s for the end of a node
 
 /// The action ~clear_frame: runs the task in the action's own thread.
 class TaskNode {
@@ -26,9 +33,14 @@ class TaskNode {
             false) {
     server_.start();
   }
+  /// Cancels the task, and waits until the planner has stopped the arm.
+  void stop() {
+    stopping_ = true;
+    if (busy_.try_lock_for(kLongestStop)) busy_.unlock();
+  }
 
  private:
-  bool stopped() { return server_.isPreemptRequested() || !ros::ok(); }
+  bool stopped() { return stopping_ || server_.isPreemptRequested() || !ros::ok(); }
 
   /// What a stopped task left in the gripper is no part of the new one. No reason: nothing is there any more.
   TaskResult emptyHand() {
@@ -43,6 +55,7 @@ class TaskNode {
   }
 
   void run(const ClearFrameGoal& goal) {
+    const std::lock_guard<std::timed_mutex> lock(busy_);
     const ros::Time begin = ros::Time::now();
     TaskResult result;
     try {
@@ -54,13 +67,14 @@ class TaskNode {
             ROS_INFO("%s %s: %s", name(feedback.stage), feedback.object.c_str(), feedback.text.c_str());
             server_.publishFeedback(toMessage(feedback));
           });
-      world_.restart(interrupted_);
+      world_.restart(options.frame, interrupted_);
       result = emptyHand();
       if (result.reason.empty()) result = task.run();
-    } catch (const BadInput& e) {
+    } catch (const std::exception& e) {
       result.outcome = TaskOutcome::kFault;
       result.reason = e.what();
     }
+
     interrupted_ = result.outcome == TaskOutcome::kCancelled || result.outcome == TaskOutcome::kFault;
     const ClearFrameResult message =
         toMessage(result, parameters_.base_frame, (ros::Time::now() - begin).toSec());
@@ -76,7 +90,9 @@ class TaskNode {
   const ModelBase& models_;
   const TaskParameters parameters_;
   RosTaskWorld world_;
-  bool interrupted_ = false;                                // the last task: what it carried counts on
+  bool interrupted_ = false;  // the last task: what it carried counts on
+  std::atomic<bool> stopping_{false};
+  std::timed_mutex busy_;                                   // held by the task that runs
   actionlib::SimpleActionServer<ClearFrameAction> server_;  // last: its thread ends before the world goes
 };
 
@@ -96,9 +112,12 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::TaskParameters()), &exit_code))
     return exit_code;
-  ros::init(argc, argv, "task");
+
+  // An arm that moves is stopped before the topics go away.
+  ros::init(argc, argv, "task", ros::init_options::NoSigintHandler);
+  meh::ending::takeRequests();
   ros::NodeHandle node;  // keeps the node up
-  const meh::NodeWatch watch;
+  const meh::NodeWatch watch(meh::ending::ask);
   try {
     meh::TaskParameters parameters;
     meh::readOptions(meh::privateParameters({}), &parameters);
@@ -106,11 +125,17 @@ int main(int argc, char** argv) {
     parameters.objects = meh::pathParameter("objects", parameters.objects);
     parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
     const meh::ModelBase models = meh::loadModelBase(parameters.objects, {}, parameters.cache);
+
     ros::AsyncSpinner spinner(2);  // topics and answers arrive while the task waits for them
     spinner.start();
-    const meh::TaskNode task(models, parameters);
+    meh::TaskNode task(models, parameters);
+    meh::ending::takeSignals();
     ROS_INFO("ready; the frame is %s", parameters.clear_frame.frame.c_str());
-    ros::waitForShutdown();
+    while (ros::ok() && !meh::ending::asked()) ros::WallDuration(0.05).sleep();
+
+    task.stop();
+    ros::shutdown();
+    spinner.stop();
     return 0;
   } catch (const std::exception& e) {
     ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());

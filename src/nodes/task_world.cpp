@@ -2,15 +2,15 @@
 
 #include <chrono>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <thread>
 #include <utility>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/seconds_text.h"
 #include "nodes/arm_state.h"
 #include "nodes/conversion.h"
 #include "nodes/names.h"
+#include "nodes/stamps.h"
 #include "nodes/task_messages.h"
 
 namespace monocular_eye_hand {
@@ -24,9 +24,10 @@ const char kMove[] = "planner/move";
 const ros::WallDuration kPoll(0.05), kTick(0.005);
 constexpr std::chrono::milliseconds kSlowTopic(200);     // the objects may come so much later than the answer
 constexpr std::chrono::milliseconds kSlowEyeHand(1000);  // ... and their view after them
-constexpr double kGone = 3.0;            // a recogniser that is not there for so long is told [s]
-constexpr int kRefusedViews = 3;         // in a row: waiting on helps no more
-const ros::Duration kOneClock(86400.0);  // stamps of one clock do not lie further apart
+constexpr double kGone = 3.0;          // a recogniser that is not there for so long is told [s]
+constexpr int kRefusedViews = 3;       // in a row: waiting on helps no more
+constexpr double kOneClock = 86400.0;  // stamps of one clock do not lie further apart [s]
+constexpr double kFuture = 1.0;        // nor so far ahead of it [s]
 
 // One function reads all results: the planner's outcomes have the same numbers in Pick, Place and Move.
 constexpr bool same(int a, int b, int c) { return a == b && b == c; }
@@ -54,10 +55,10 @@ TaskPickOutcome outcomeOf(uint8_t code) {
   }
 }
 
-std::string seconds(const ros::Time& stamp) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << stamp.toSec() << " s";
-  return text.str();
+std::string complaintOf(const RecognizeResponse& response) {
+  const bool worked =
+      response.status == RecognizeResponse::FOUND || response.status == RecognizeResponse::NOT_FOUND;
+  return worked ? "" : response.text;
 }
 
 /// Sends a goal and waits for its result. A cancelled task cancels the goal and waits on: the planner stops
@@ -76,11 +77,17 @@ TaskPick execute(Client* client, const char* action, const Goal& goal, const Tas
       return fault("does not answer: is the node planner running?");
     kPoll.sleep();
   }
+  if (cancelled()) return {TaskPickOutcome::kCancelled, "cancelled"};
+
   client->sendGoal(goal);
   bool asked_to_stop = false;
   const Moment sent = Moment::now();
   while (!client->getState().isDone()) {
-    if (cancelled() && !asked_to_stop) client->cancelGoal(), asked_to_stop = true;
+    if (!ros::ok()) return {TaskPickOutcome::kCancelled, "the node ends"};
+    if (cancelled() && !asked_to_stop) {
+      client->cancelGoal();
+      asked_to_stop = true;
+    }
     if (!client->isServerConnected())
       return fault("went away while it worked: start the node planner again; a goal to " +
                    ros::names::resolve("planner/recover") + " then puts down what the gripper holds");
@@ -90,6 +97,7 @@ TaskPick execute(Client* client, const char* action, const Goal& goal, const Tas
     }
     kPoll.sleep();
   }
+
   const auto result = client->getResult();
   if (!result) return fault("ended without a result: " + client->getState().getText());
   if (client->getState() == actionlib::SimpleClientGoalState::REJECTED)
@@ -136,6 +144,11 @@ RosTaskWorld::~RosTaskWorld() {
   asker_.join();
 }
 
+void RosTaskWorld::restart(const std::string& frame, bool go_on) {
+  frame_ = frame;
+  first_place_ = place_ = go_on ? place_ : 0;
+}
+
 void RosTaskWorld::wait(double seconds) {
   const Moment begin = Moment::now();
   while (!cancelled_() && begin.since() < seconds) kPoll.sleep();
@@ -144,6 +157,11 @@ void RosTaskWorld::wait(double seconds) {
 void RosTaskWorld::objectsCallback(const LocatedObjectArray& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   view_ = message;
+  if (withoutSlash(message.header.frame_id) != parameters_.base_frame) {
+    view_->objects.clear();
+    view_->refused = "its objects are in the frame '" + message.header.frame_id + "' and must be in '" +
+                     parameters_.base_frame + "' (the parameters base_frame)";
+  }
   new_view_.notify_all();
 }
 
@@ -188,13 +206,23 @@ Eigen::Vector3d RosTaskWorld::lookTarget(const TaskView& view) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (view_)
     for (const LocatedObject& object : view_->objects)
-      if (object.name == parameters_.clear_frame.frame)
+      if (object.name == frame_)
         return centreOf(models_->indexOf(object.name),
                         poseOf(object.pose.pose, "the pose of " + object.name));
   return Eigen::Map<const Eigen::Vector3d>(parameters_.centre.data());
 }
 
+/// Time went back: what was heard before does not answer what is asked from now on.
+void RosTaskWorld::forgetFuture() {
+  const ros::Time now = ros::Time::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (now.isZero()) return;
+  if (view_ && secondsBetween(now, view_->header.stamp) > kFuture) view_.reset();
+  if (secondsBetween(now, recognized_) > kFuture) recognized_ = ros::Time();
+}
+
 TaskLook RosTaskWorld::look(const TaskView& view) {
+  forgetFuture();
   TaskLook look;
   const std::optional<JointVector> current = joints();
   if (!current) {
@@ -236,6 +264,7 @@ void RosTaskWorld::ask(const std::optional<ros::Time>& after) {
   const std::lock_guard<std::mutex> lock(mutex_);
   ask_after_ = after;
   gone_now_ = false;
+  complaint_.clear();
   asked_.notify_all();
 }
 
@@ -266,6 +295,7 @@ void RosTaskWorld::askRecognizer() {
     else if (gone_at_.never())
       gone_at_ = Moment::now();
     gone_now_ = !there && ask_after_;
+    complaint_ = answered ? complaintOf(call.response) : "";
     const auto recognized = [&] { return enough() || recognized_ >= after; };
     if (!answered)
       asked_.wait_for(lock, kSlowTopic, enough);
@@ -285,15 +315,16 @@ std::string RosTaskWorld::silence(const ros::Time& after) const {
   else if (recognized_.isZero())
     who = recognized + " is silent: does the camera send images to the recognizer?";
   else if (recognized_ < after)
-    who = recognized + " last answered for an image of " + seconds(recognized_) +
-          ", the camera stands still since " + seconds(after) + ": " +
-          (after - recognized_ > kOneClock
+    who = recognized + " last answered for an image of " + secondsText(recognized_.toSec(), 2) +
+          ", the camera stands still since " + secondsText(after.toSec(), 2) + ": " +
+          (secondsBetween(recognized_, after) > kOneClock
                ? "do the nodes share one clock? use_sim_time must be set before they start"
                : "does the camera send images to the recognizer?");
   else if (objects_subscriber_.getNumPublishers() == 0)
     who = "nobody publishes " + located + ": is the node eye_hand running?";
   else
     who = located + " is silent, though the recognizer is not: look at the node eye_hand";
+  if (!complaint_.empty()) who += "; the recognizer says: " + complaint_;
   return "no view within look_timeout = " + std::to_string(parameters_.look_timeout) + " s; " + who;
 }
 
@@ -398,7 +429,10 @@ TaskPick RosTaskWorld::carry(const MappedObject& object, int place) {
 }
 
 TaskPick RosTaskWorld::emptyHand() {
+  const Moment begin = Moment::now();  // of a node that just started: nothing was heard yet
+  while (!grip().known && !cancelled_() && begin.since() < parameters_.answer_timeout) kPoll.sleep();
   if (!grip().holding) return {TaskPickOutcome::kDone, ""};
+
   PlaceGoal goal;
   goal.place = place_;
   TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);

@@ -46,9 +46,9 @@ class RosTaskWorld : public TaskWorld {
   TaskPick open() override;
   void wait(double seconds) override;
 
-  /// A new task begins. Places of the drop zone are counted from 0 again, or with `go_on` where the last task
-  /// ended: what it carried still lies there.
-  void restart(bool go_on) { first_place_ = place_ = go_on ? place_ : 0; }
+  /// A new task begins, which clears `frame`. Places of the drop zone are counted from 0 again, or with
+  /// `go_on` where the last task ended: what it carried still lies there.
+  void restart(const std::string& frame, bool go_on);
   /// Puts down in the drop zone what the gripper holds since a task was stopped. kDone as well when it holds
   /// nothing.
   TaskPick emptyHand();
@@ -63,6 +63,7 @@ class RosTaskWorld : public TaskWorld {
   Eigen::Vector3d lookTarget(const TaskView& view) const;
   void waitUntil(const ros::Time& moment) const;  // of the clock; at most look_timeout
   TaskLook waitForView(const ros::Time& after);
+  void forgetFuture();
   void ask(const std::optional<ros::Time>& after);
   void askRecognizer();  // the thread asker_
   std::string silence(
@@ -76,6 +77,7 @@ class RosTaskWorld : public TaskWorld {
   const Puma560 arm_;
   const ArmDescription description_;
   int first_place_ = 0, place_ = 0;  // of this task, next; in the drop zone
+  std::string frame_;                // of this task
 
   ros::NodeHandle node_;
   ros::Subscriber objects_subscriber_, recognized_subscriber_, gripper_subscriber_, joints_subscriber_;
@@ -89,6 +91,7 @@ class RosTaskWorld : public TaskWorld {
   std::optional<ros::Time> ask_after_;  // an image from then on is wanted
   bool gone_now_ = false;               // the recogniser does not answer, by the last call for this view
   Moment gone_at_;                      // since then it does not
+  std::string complaint_;               // why it did not work on the last image asked for; "": it did
   bool ending_ = false;
   std::optional<LocatedObjectArray> view_;
   ros::Time recognized_;  // stamp of the last image that was recognised

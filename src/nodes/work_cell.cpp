@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::WorkCellParameters()), &exit_code))
     return exit_code;
+
   ros::init(argc, argv, "work_cell");
   ros::NodeHandle node;  // keeps the node up
   const meh::NodeWatch watch;
@@ -46,10 +47,12 @@ int main(int argc, char** argv) {
     meh::readOptions(meh::privateParameters({}), &parameters);
     parameters.objects = meh::pathParameter("objects", parameters.objects);
     parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
+
     meh::ArmDescription arm = meh::loadArmDescription(parameters.urdf);
     meh::requireSameArm(arm, meh::Puma560(parameters.arm));
     meh::CellScene scene = meh::makeCellScene(parameters.cell, loadMeshes(parameters.objects));
     const size_t objects = scene.scene.objects.size();
+
     meh::WorkCellNode cell(meh::WorkCell(std::move(scene), std::move(arm), parameters.arm), parameters);
     ROS_INFO("ready; %zu objects on the table", objects);
     cell.run();

@@ -6,7 +6,8 @@ double CellPace::wait(double cell_time, double now, bool busy) {
   const bool unbound = factor_ == 0 && busy;
   if (!anchored_ || unbound) {
     anchored_ = true;
-    anchor_cell_ = cell_time, anchor_now_ = now;
+    anchor_cell_ = cell_time;
+    anchor_now_ = now;
     return 0;
   }
   const double due = anchor_now_ + (cell_time - anchor_cell_) / (factor_ > 0 ? factor_ : 1.0);

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -17,12 +18,8 @@ void requireRate(const char* field, double value, double most) {
 }  // namespace
 
 void WorkCellParameters::check() const {
-  if (objects.empty())
-    throw BadInput(
-        "objects is not set: give the path of the model base, e.g. config/objects.yaml of this package");
-  if (urdf.empty())
-    throw BadInput(
-        "urdf is not set: give the path of the arm's URDF, e.g. urdf/puma560.urdf of this package");
+  requireGiven("objects", objects, "the path of the model base, e.g. config/objects.yaml of this package");
+  requireGiven("urdf", urdf, "the path of the arm's URDF, e.g. urdf/puma560.urdf of this package");
   if (!(real_time_factor >= 0 && real_time_factor <= 1000))
     throw BadInput("real_time_factor = " + std::to_string(real_time_factor) +
                    " must be 0..1000 (0: as fast as computed)");

@@ -1,19 +1,12 @@
 #include "monocular_eye_hand/planning/options.h"
 
 #include <cmath>
-#include <sstream>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-void require(bool ok, const char* field, double value, const char* rule) {
-  if (ok) return;
-  std::ostringstream message;
-  message << field << " = " << value << " must be " << rule;
-  throw BadInput(message.str());
-}
 void within(const char* field, double value, double low, double high, const char* rule) {
   require(value >= low && value <= high, field, value, rule);
 }

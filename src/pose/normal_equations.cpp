@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "monocular_eye_hand/geometry/median.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -82,13 +84,11 @@ void MatchResiduals::evaluate(const Rigid3& pose) {
 
 double MatchResiduals::scale() {
   sizes_.clear();
-  for (size_t i = 0; i < rows_.size();
-       ++i)  // the median of a normal residual's size, of one or two dimensions
+  // Over the median of a normal residual's square, of one or two dimensions.
+  for (size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i].square >= 0) sizes_.push_back(rows_[i].square * (i < lines_.size() ? 2.1981 : 0.7213));
   if (sizes_.empty()) return 1;
-  const auto middle = sizes_.begin() + sizes_.size() / 2;
-  std::nth_element(sizes_.begin(), middle, sizes_.end());
-  return std::max(1.0, std::sqrt(*middle));
+  return std::max(1.0, std::sqrt(median(&sizes_)));
 }
 
 NormalEquations MatchResiduals::accumulate(double cut) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "recognition/flat_view.h"
 
@@ -94,7 +95,7 @@ void addStraightPieces(const ObjectModel& model, const SampledView& view, const 
 
 // The anchor of a ruler: samples of other lines first, farthest from the ruler first. None of a view without
 // samples.
-bool makeAnchor(const FlatView& flat, const Ruler& ruler, int view, double diameter, Anchor* anchor) {
+std::optional<Anchor> makeAnchor(const FlatView& flat, const Ruler& ruler, int view, double diameter) {
   const Eigen::Vector2d &a = ruler.a, ab = ruler.b - ruler.a;
   std::vector<double> weight(flat.place.size());
   for (size_t i = 0; i < weight.size(); ++i) {
@@ -102,25 +103,26 @@ bool makeAnchor(const FlatView& flat, const Ruler& ruler, int view, double diame
     weight[i] = ruler.own[i] ? 1e-6 : (flat.place[i] - a - along * ab).norm() + 1e-3 * diameter;
   }
   std::vector<int> order = spreadOrder(flat.place, weight, Anchor::kSamples);
-  if (order.empty()) return false;
+  if (order.empty()) return std::nullopt;
   const size_t distinct = order.size();
   while (order.size() < size_t(Anchor::kSamples)) order.push_back(order[order.size() % distinct]);
 
-  anchor->a = a.cast<float>();
-  anchor->b = ruler.b.cast<float>();
-  anchor->length = float(ab.norm());
-  anchor->contour = float(flat.length);
-  anchor->view = view;
-  anchor->centre_x = float(-a.dot(ab) / ab.squaredNorm());
-  anchor->centre_y = float((ab.y() * a.x() - ab.x() * a.y()) / ab.squaredNorm());
+  Anchor anchor;
+  anchor.a = a.cast<float>();
+  anchor.b = ruler.b.cast<float>();
+  anchor.length = float(ab.norm());
+  anchor.contour = float(flat.length);
+  anchor.view = view;
+  anchor.centre_x = float(-a.dot(ab) / ab.squaredNorm());
+  anchor.centre_y = float((ab.y() * a.x() - ab.x() * a.y()) / ab.squaredNorm());
   for (size_t i = 0; i < size_t(Anchor::kSamples); ++i) {
     const Eigen::Vector2d r = flat.place[size_t(order[i])] - a, d = flat.direction[size_t(order[i])];
-    anchor->x[i] = float(r.dot(ab) / ab.squaredNorm());
-    anchor->y[i] = float((ab.x() * r.y() - ab.y() * r.x()) / ab.squaredNorm());
+    anchor.x[i] = float(r.dot(ab) / ab.squaredNorm());
+    anchor.y[i] = float((ab.x() * r.y() - ab.y() * r.x()) / ab.squaredNorm());
     const double angle = std::atan2(ab.x() * d.y() - ab.y() * d.x(), ab.dot(d));
-    anchor->angle[i] = uint8_t(int(std::lround(angle / M_PI * 256.0)) & 255);
+    anchor.angle[i] = uint8_t(int(std::lround(angle / M_PI * 256.0)) & 255);
   }
-  return true;
+  return anchor;
 }
 
 }  // namespace
@@ -146,10 +148,9 @@ std::vector<AnchorLevel> anchorLevels(const KnownObject& object,
       std::vector<Ruler> rulers;
       addEdges(model, view, rotation, flat, step, &rulers);
       if (rulers.size() < kEnough) addStraightPieces(model, view, flat, step, &rulers);
-      for (const Ruler& ruler : rulers) {
-        Anchor anchor;
-        if (makeAnchor(flat, ruler, index, model.diameter, &anchor)) level.anchors.push_back(anchor);
-      }
+      for (const Ruler& ruler : rulers)
+        if (const auto anchor = makeAnchor(flat, ruler, index, model.diameter))
+          level.anchors.push_back(*anchor);
     }
     std::stable_sort(level.anchors.begin(), level.anchors.end(),
                      [](const Anchor& p, const Anchor& q) { return p.length < q.length; });

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <map>
 
+#include "monocular_eye_hand/geometry/median.h"
 #include "recognition/drawing_terms.h"
-#include "recognition/median.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -16,12 +16,15 @@ constexpr double kMaxClaimed = 0.5;  // share of edge points already claimed by 
 int commonCount(const std::vector<int>& a, const std::vector<int>& b) {
   int n = 0;
   for (size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    if (a[i] < b[j])
+    if (a[i] < b[j]) {
       ++i;
-    else if (b[j] < a[i])
+    } else if (b[j] < a[i]) {
       ++j;
-    else
-      ++n, ++i, ++j;
+    } else {
+      ++n;
+      ++i;
+      ++j;
+    }
   }
   return n;
 }
@@ -56,7 +59,7 @@ std::vector<std::vector<int>> allConflicts(const std::vector<Candidate>& candida
   return conflicts;
 }
 
-std::vector<Candidate> weighAmongOthers(std::vector<Candidate> candidates, const DecisionWeights& weights) {
+std::vector<Standing> standings(const std::vector<Candidate>& candidates, const DecisionWeights& weights) {
   std::vector<Competitor> competitors;
   for (const Candidate& candidate : candidates)
     competitors.push_back({candidate.object, ownLogOdds(candidate, weights), {}});
@@ -68,10 +71,19 @@ std::vector<Candidate> weighAmongOthers(std::vector<Candidate> candidates, const
         competitors[i].conflicts.push_back(int(other));
     }
 
-  const std::vector<Lead> leads = leadsAmong(competitors);
+  std::vector<Standing> standings;
+  for (const Lead& lead : leadsAmong(competitors)) {
+    const double own = competitors[standings.size()].log_odds;
+    standings.push_back({lead, weights.probability(own, lead)});
+  }
+  return standings;
+}
+
+std::vector<Candidate> weighAmongOthers(std::vector<Candidate> candidates, const DecisionWeights& weights) {
+  const std::vector<Standing> all = standings(candidates, weights);
   for (size_t i = 0; i < candidates.size(); ++i) {
-    candidates[i].lead = leads[i];
-    candidates[i].probability = weights.probability(competitors[i].log_odds, leads[i]);
+    candidates[i].lead = all[i].lead;
+    candidates[i].probability = all[i].probability;
   }
   return candidates;
 }

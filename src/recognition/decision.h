@@ -25,8 +25,15 @@ bool conflict(const Candidate& chosen, const Candidate& other);
 /// Of each candidate the indices of all others that, chosen, would suppress it (conflict()); ascending.
 std::vector<std::vector<int>> allConflicts(const std::vector<Candidate>& candidates);
 
-/// The candidates with the probabilities that they have among the others of their object (leadsAmong), which
-/// take the place of those by their own evidence alone.
+/// How a candidate stands among the others of its object (leadsAmong).
+struct Standing {
+  Lead lead;
+  double probability = 0;
+};
+std::vector<Standing> standings(const std::vector<Candidate>& candidates, const DecisionWeights& weights);
+
+/// The candidates with the probabilities of their standings, which take the place of those by their own
+/// evidence alone.
 std::vector<Candidate> weighAmongOthers(std::vector<Candidate> candidates, const DecisionWeights& weights);
 
 /// A chosen candidate and the others that explain the same part of the image.

@@ -45,6 +45,9 @@ void DecisionWeights::check() const {
        {lead.bias, lead.own, lead.over_most.weight, lead.over_most.typical, lead.elsewhere.weight,
         lead.elsewhere.typical, lead.in_place.weight, lead.in_place.typical})
     if (!std::isfinite(value)) throw BadInput("decision: a weight of lead is not finite");
+  for (double value :
+       {contest.log_odds, contest.precise, contest.contrast, contest.strength, contest.shading})
+    if (!std::isfinite(value)) throw BadInput("decision: a weight of contest is not finite");
 }
 
 std::vector<TermContribution> contributions(const std::vector<double>& values, const Lead& lead,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "monocular_eye_hand/geometry/median.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -14,12 +16,6 @@ constexpr double kOffsetPerBlur = 2.2;
 constexpr double kOffsetPerTurn = 2.3;               // px per radian
 constexpr double kUsualTurn = 1.5 * M_PI / 180;      // scatter of single points' directions
 constexpr double kShare = 0.25, kLeastWidth = 0.02;  // of the looks in the interval, and its width [px]
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -44,8 +40,8 @@ double EdgeProfiles::expectedOffset(const std::vector<EdgeLook>& edge) const {
     turns.push_back(std::abs(look.turn));
   }
   if (edge.empty()) return kLeastOffset;
-  const double departure = std::max(0.0, std::abs(median(blurs) - clean_blur_) - half_width_);
-  const double turn = std::max(0.0, median(turns) - kUsualTurn);
+  const double departure = std::max(0.0, std::abs(median(&blurs) - clean_blur_) - half_width_);
+  const double turn = std::max(0.0, median(&turns) - kUsualTurn);
   return std::hypot(kLeastOffset, kOffsetPerBlur * departure, kOffsetPerTurn * turn);
 }
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
+#include "monocular_eye_hand/geometry/median.h"
 #include "recognition/drawn_pixels.h"
-#include "recognition/median.h"
 #include "recognition/shading.h"
 
 namespace monocular_eye_hand {
@@ -28,7 +28,8 @@ int countOffShading(const std::vector<FacePixel>& pixels, bool curved) {
   if (n < std::max(kMinFacePixels, 2 * unknowns)) return 0;
   double mu = 0, mv = 0;
   for (const FacePixel& p : pixels) mu += p.u, mv += p.v;
-  mu /= n, mv /= n;
+  mu /= n;
+  mv /= n;
   Eigen::MatrixXd a(n, unknowns);
   Eigen::VectorXd g(n);
   for (int i = 0; i < n; ++i) {

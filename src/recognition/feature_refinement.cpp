@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "monocular_eye_hand/geometry/median.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -162,9 +164,7 @@ double spread(const SamplesByFeature& samples, const Vector6d& motion) {
   std::vector<double> sizes;
   for (const auto& [group, of_feature] : samples)
     for (const Sample& s : of_feature) sizes.push_back(std::abs(s.residual + s.derivative.dot(motion)));
-  const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(kLeastSpread, *middle / 0.6745);
+  return std::max(kLeastSpread, median(&sizes) / 0.6745);
 }
 
 // The motion of perturbed() that turns the object about its free axis.
@@ -231,7 +231,10 @@ RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera,
   refined.camera_from_object = perturbed(start, estimate.motion);
   refined.covariance = 0.5 * (covariance + covariance.transpose());
   double squares = 0;
-  for (const Feature& f : features) squares += f.squares(estimate.motion), refined.inliers += f.samples();
+  for (const Feature& f : features) {
+    squares += f.squares(estimate.motion);
+    refined.inliers += f.samples();
+  }
   refined.rms = std::sqrt(std::max(0.0, squares) / refined.inliers);
   refined.iterations = kIterations * (first_spread > kUsualSpread ? 2 : 1);
   refined.converged = refined.well_posed = true;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "recognition/median.h"
+#include "monocular_eye_hand/geometry/median.h"
 
 namespace monocular_eye_hand {
 

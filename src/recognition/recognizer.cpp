@@ -44,9 +44,9 @@ void checkImage(const cv::Mat& grey, const Camera& camera) {
 }
 
 bool anyAccepted(const std::vector<Candidate>& candidates, const RecognitionOptions& options) {
-  const std::vector<Candidate> weighed = weighAmongOthers(candidates, options.decision);
-  return std::any_of(weighed.begin(), weighed.end(), [&](const Candidate& candidate) {
-    return candidate.probability >= options.accept_probability;
+  const std::vector<Standing> all = standings(candidates, options.decision);
+  return std::any_of(all.begin(), all.end(), [&](const Standing& standing) {
+    return standing.probability >= options.accept_probability;
   });
 }
 

@@ -66,6 +66,25 @@ std::vector<int> contestants(const SearchTask& task, const std::vector<Candidate
   return competing;
 }
 
+// Of the same object as the contestants, and none of them.
+struct Bystander {
+  int candidate = 0;
+  int contestant = -1;  // whose pose it has, -1: of none
+};
+
+std::vector<Bystander> bystanders(const SearchTask& task, const std::vector<Candidate>& candidates,
+                                  const std::vector<int>& competing, const Explanation& explanation) {
+  std::vector<int> others = explanation.rivals;
+  others.push_back(explanation.candidate);
+  std::vector<Bystander> found;
+  for (int other : others) {
+    if (std::count(competing.begin(), competing.end(), other) > 0) continue;
+    if (candidates[size_t(other)].object != candidates[size_t(explanation.candidate)].object) continue;
+    found.push_back({other, contestantOf(task, candidates, competing, other)});
+  }
+  return found;
+}
+
 // The contestant moved by all its features, when that makes it more likely: what two poses draw differently
 // is often no larger than the poses are off.
 Candidate movedByFeatures(const SearchTask& task, const Candidate& contestant) {
@@ -113,12 +132,13 @@ std::vector<double> compete(const SearchTask& task, const std::vector<int>& comp
 // strangers in its place would. Where the part is, its turned poses are nearly as good; where it is not, so
 // is the best of many wrong ones.
 double probabilityTogether(const SearchTask& task, const std::vector<Candidate>& candidates,
-                           const std::vector<int>& competing, const Explanation& explanation) {
+                           const std::vector<int>& competing, const std::vector<Bystander>& around,
+                           const Explanation& explanation) {
   double best_outside = kNoRival;
-  for (int r : explanation.rivals)
-    if (candidates[size_t(r)].object == candidates[size_t(explanation.candidate)].object &&
-        contestantOf(task, candidates, competing, r) < 0)
-      best_outside = std::max(best_outside, ownLogOdds(candidates[size_t(r)], task.options.decision));
+  for (const Bystander& other : around)
+    if (other.contestant < 0 && other.candidate != explanation.candidate)
+      best_outside =
+          std::max(best_outside, ownLogOdds(candidates[size_t(other.candidate)], task.options.decision));
 
   double together = candidates[size_t(explanation.candidate)].probability;
   for (int c : competing) {
@@ -131,9 +151,9 @@ double probabilityTogether(const SearchTask& task, const std::vector<Candidate>&
   return together;
 }
 
-// The probabilities after a contest. Whoever did not take part is no likelier than the contestant whose pose
+// The probabilities after a contest. A bystander in its place is no likelier than the contestant whose pose
 // it has, or than the last one.
-void share(const SearchTask& task, const Explanation& explanation, const std::vector<int>& competing,
+void share(const SearchTask& task, const std::vector<int>& competing, const std::vector<Bystander>& around,
            double together, const std::vector<double>& shares, std::vector<Candidate>* candidates) {
   const double winners_share = *std::max_element(shares.begin(), shares.end());
   double least = 1;
@@ -144,14 +164,10 @@ void share(const SearchTask& task, const Explanation& explanation, const std::ve
     least = std::min(least, contestant.probability);
   }
 
-  std::vector<int> others = explanation.rivals;
-  others.push_back(explanation.candidate);
-  for (int other : others) {
-    if (std::count(competing.begin(), competing.end(), other) > 0) continue;
-    Candidate& rival = (*candidates)[size_t(other)];
+  for (const Bystander& other : around) {
+    Candidate& rival = (*candidates)[size_t(other.candidate)];
     if (!inPlaceOf(task, (*candidates)[size_t(competing.front())], rival)) continue;
-    const int contestant = contestantOf(task, *candidates, competing, other);
-    const double bound = contestant < 0 ? least : (*candidates)[size_t(contestant)].probability;
+    const double bound = other.contestant < 0 ? least : (*candidates)[size_t(other.contestant)].probability;
     rival.probability = std::min(rival.probability, bound);
     rival.winners_share = winners_share;
   }
@@ -169,9 +185,10 @@ std::vector<Candidate> settleContests(const SearchTask& task, std::vector<Candid
       for (int c : competing) candidates[size_t(c)] = movedByFeatures(task, candidates[size_t(c)]);
       report->counts["contestants"] += double(competing.size());
 
-      const double together = probabilityTogether(task, candidates, competing, explanation);
+      const std::vector<Bystander> around = bystanders(task, candidates, competing, explanation);
+      const double together = probabilityTogether(task, candidates, competing, around, explanation);
       const std::vector<double> shares = compete(task, competing, &candidates);
-      share(task, explanation, competing, together, shares, &candidates);
+      share(task, competing, around, together, shares, &candidates);
     }
     return std::move(candidates);
   });

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recognition/median.h"
+#include "monocular_eye_hand/geometry/median.h"
 
 namespace monocular_eye_hand {
 namespace {

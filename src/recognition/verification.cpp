@@ -4,10 +4,10 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "monocular_eye_hand/geometry/median.h"
 #include "recognition/alignment.h"
 #include "recognition/drawing_terms.h"
 #include "recognition/face_evidence.h"
-#include "recognition/median.h"
 #include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {

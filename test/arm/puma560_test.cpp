@@ -53,7 +53,8 @@ TEST(Puma560, JacobianIsTheDerivative) {
     const Matrix6d jacobian = arm.jacobian(q);
     for (int i = 0; i < 6; ++i) {
       JointVector ahead = q, behind = q;
-      ahead[i] += h, behind[i] -= h;
+      ahead[i] += h;
+      behind[i] -= h;
       const Vector6d d = difference(arm.baseFromTool0(behind), arm.baseFromTool0(ahead)) / (2 * h);
       EXPECT_LT((jacobian.col(i) - d).cwiseAbs().maxCoeff(), 2e-9) << "joint " << i + 1;
     }

@@ -148,7 +148,8 @@ TEST(ArmShapes, HandTurnsFreelyAtTheForearm) {
   for (double q5 = limit.lower; q5 <= limit.upper + 1e-9; q5 += (limit.upper - limit.lower) / 16)
     for (double q6 = 0; q6 < 6; q6 += M_PI / 4) {
       JointVector q = JointVector::Zero();
-      q[4] = q5, q[5] = q6;
+      q[4] = q5;
+      q[5] = q6;
       const auto poses = arm.baseFromLinks(q, arm.gripper_width_max);
       for (const char* hand : {"link6", "gripper_base", "finger_left", "finger_right", "camera_link"})
         for (const char* body : {"link3", "link4"})

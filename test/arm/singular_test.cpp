@@ -64,7 +64,10 @@ TEST(Puma560Inverse, ExactNearEverySingularity) {
 
 TEST(Puma560Inverse, ExactWithOtherLengths) {
   Puma560Options options;  // as calibrations of real arms differ; and without the shoulder's offset
-  options.a3 = -0.0203, options.d3 = 0.149, options.d4 = 0.4331, options.d6 = 0.0558;
+  options.a3 = -0.0203;
+  options.d3 = 0.149;
+  options.d4 = 0.4331;
+  options.d6 = 0.0558;
   for (double d3 : {0.149, -0.149, 0.0}) {
     options.d3 = d3;
     const Puma560 arm(options);
@@ -105,10 +108,13 @@ TEST(Puma560Inverse, StraightWristKeepsJoint4) {
 
 TEST(Puma560Inverse, StraightWristMovesJoint4AsLittleAsJoint6Asks) {
   Puma560Options options;
-  options.joints[5].lower = -0.5, options.joints[5].upper = 0.5;
+  options.joints[5].lower = -0.5;
+  options.joints[5].upper = 0.5;
   const Puma560 arm(options);
   JointVector q = JointVector::Zero(), current = JointVector::Zero();
-  q[1] = 0.5, q[3] = 1.0, q[5] = 0.3;
+  q[1] = 0.5;
+  q[3] = 1.0;
+  q[5] = 0.3;
   ArmSolutions found;
   arm.inverse(arm.baseFromTool0(q), current, &found);
   int straight = 0;
@@ -123,7 +129,8 @@ TEST(Puma560Inverse, StraightWristMovesJoint4AsLittleAsJoint6Asks) {
 
 TEST(Puma560Inverse, WristTurnedBackOnItself) {
   Puma560Options options;  // q5 = 180 degrees, as no real wrist can
-  options.joints[4].lower = 0, options.joints[4].upper = 6;
+  options.joints[4].lower = 0;
+  options.joints[4].upper = 6;
   const Puma560 arm(options);
   Random random(9);
   Residual worst;
@@ -140,7 +147,10 @@ TEST(Puma560Inverse, PosturesThatMeetAreOne) {
   ArmSolutions found;
   // Beyond the stretched arm by less than the tolerance: one elbow.
   JointVector q = JointVector::Zero();
-  q[1] = 0.3, q[2] = stretchedElbow(arm.options()), q[4] = 0.5, q[3] = 0.2;
+  q[1] = 0.3;
+  q[2] = stretchedElbow(arm.options());
+  q[4] = 0.5;
+  q[3] = 0.2;
   const Rigid3 stretched = arm.baseFromTool0(q);
   const Rigid3 wrist = arm.baseFromLinks(q)[4], shoulder = arm.baseFromLinks(q)[0];
   Rigid3 beyond = stretched;
@@ -163,7 +173,9 @@ TEST(Puma560Inverse, WristOnAxis1KeepsJoint1) {
   options.d3 = 0;
   const Puma560 arm(options);
   JointVector q = JointVector::Zero(), current = JointVector::Zero();
-  q[2] = -0.9, q[1] = uprightShoulder(options, q[2]), q[4] = 0.4;
+  q[2] = -0.9;
+  q[1] = uprightShoulder(options, q[2]);
+  q[4] = 0.4;
   current[0] = 0.7;
   ArmSolutions found;
   arm.inverse(arm.baseFromTool0(q), current, &found);

@@ -127,7 +127,9 @@ TEST(Puma560Vectors, PedestalAndFlange) {
   const Puma560
       arm;  // the toolbox: fkine(qn) = (0.5963, -0.15005, 0.65748) with pedestal; the hand points to +x
   JointVector qn = JointVector::Zero();
-  qn[1] = M_PI / 4, qn[2] = M_PI, qn[4] = M_PI / 4;
+  qn[1] = M_PI / 4;
+  qn[2] = M_PI;
+  qn[4] = M_PI / 4;
   const Eigen::Vector3d expected(0.596303148575 + 0.05625, -0.15005, -0.014354267658 + 0.67183);
   EXPECT_LT((arm.baseFromTool0(qn).translation - expected).norm(), kDigits);
 }

@@ -58,8 +58,10 @@ FeatureSet someFeatures() {
   }
   features.traces = {{0, 60, false}};
   LineSegment plain{}, joined{};
-  plain.p = {100, 120}, plain.q = {395, 120};
-  joined.p = {100, 300}, joined.q = {250, 330};
+  plain.p = {100, 120};
+  plain.q = {395, 120};
+  joined.p = {100, 300};
+  joined.q = {250, 330};
   joined.piece_count = 2;
   features.joined_pieces = {0, 0};
   features.segments = {plain, joined};

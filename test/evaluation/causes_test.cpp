@@ -124,7 +124,10 @@ TracedTruth farTrace() {
   TracedTruth traced;
   traced.scene = 1;
   traced.groupings = 7;
-  traced.generated = 40, traced.taken = 60, traced.aligned = 70, traced.verified = 80;
+  traced.generated = 40;
+  traced.taken = 60;
+  traced.aligned = 70;
+  traced.verified = 80;
   return traced;
 }
 

@@ -12,8 +12,12 @@ namespace {
 
 Camera pinhole() {
   Camera camera;
-  camera.width = 320, camera.height = 240;
-  camera.fx = 350, camera.fy = 351, camera.cx = 160.2, camera.cy = 118.7;
+  camera.width = 320;
+  camera.height = 240;
+  camera.fx = 350;
+  camera.fy = 351;
+  camera.cx = 160.2;
+  camera.cy = 118.7;
   return camera;
 }
 

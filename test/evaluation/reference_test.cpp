@@ -46,7 +46,9 @@ std::vector<BopResult> randomResults(const BopSplit& split, const BopModels& mod
       for (int copy = 0; copy < 3 && random.chance(copy == 0 ? 0.9 : 0.3); ++copy) {
         const BopModel& model = models.at(truth.object);
         BopResult row;
-        row.scene = image.scene, row.image = image.id, row.object = truth.object;
+        row.scene = image.scene;
+        row.image = image.id;
+        row.object = truth.object;
         row.score = random.below(20) / 20.0;
         row.time = seconds;
         const double size = std::exp(random.uniform(std::log(1e-3), std::log(0.3)));

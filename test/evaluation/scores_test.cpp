@@ -22,7 +22,10 @@ class Scores : public testing::Test {
 
   BopResult row(int scene, int image, int object, double score, const Eigen::Vector3d& t_mm) const {
     BopResult result;
-    result.scene = scene, result.image = image, result.object = object, result.score = score;
+    result.scene = scene;
+    result.image = image;
+    result.object = object;
+    result.score = score;
     result.camera_from_object.translation = t_mm * 1e-3;
     result.time = 0.5;
     return result;

@@ -5,8 +5,8 @@
 
 #include <random>
 
+#include "failure.h"
 #include "monocular_eye_hand/geometry/covariance.h"
-#include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
 
 namespace monocular_eye_hand {
@@ -125,16 +125,6 @@ TEST(Chain, UnknownJointsLeaveTheRepeatability) {
   EXPECT_EQ(pose.arm(5, 5), 0);
   EXPECT_NEAR(std::sqrt(pose.hand_eye(0, 0)), 5e-4, 1e-12);
   EXPECT_NEAR(std::sqrt(pose.hand_eye(5, 5)) * 180 / M_PI, 0.05, 1e-4);
-}
-
-template <class Function>
-std::string failure(const Function& function) {
-  try {
-    function();
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "no error";
 }
 
 TEST(Chain, BadInputIsNamed) {

@@ -24,7 +24,11 @@ enum { kBridge, kFlange, kFrame, kBracket };
 
 inline Camera camera() {
   Camera c;
-  c.width = 640, c.height = 480, c.fx = c.fy = 600, c.cx = 319.5, c.cy = 239.5;
+  c.width = 640;
+  c.height = 480;
+  c.fx = c.fy = 600;
+  c.cx = 319.5;
+  c.cy = 239.5;
   return c;
 }
 

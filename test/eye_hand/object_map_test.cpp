@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "failure.h"
 #include "map_world.h"
-#include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/solid.h"
 #include "monocular_eye_hand/options/options.h"
 
@@ -253,16 +253,6 @@ TEST(ObjectMap, SameViewsSameMap) {
     EXPECT_EQ(a[k].base_from_object.translation, b[k].base_from_object.translation);
     EXPECT_EQ(a[k].covariance, b[k].covariance);
   }
-}
-
-template <class Function>
-std::string failure(const Function& function) {
-  try {
-    function();
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "no error";
 }
 
 TEST(ObjectMap, BadInputLeavesTheMapAlone) {

@@ -11,8 +11,12 @@ namespace {
 
 Camera camera(const std::string& lens, const std::vector<double>& coefficients, double focal) {
   Camera c;
-  c.width = 640, c.height = 480;
-  c.fx = focal, c.fy = 1.01 * focal, c.cx = 318, c.cy = 243;
+  c.width = 640;
+  c.height = 480;
+  c.fx = focal;
+  c.fy = 1.01 * focal;
+  c.cx = 318;
+  c.cy = 243;
   setDistortion(&c, lens, coefficients.data(), coefficients.size());
   return c;
 }

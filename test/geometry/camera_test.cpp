@@ -21,8 +21,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Camera plain() {
   Camera c;
-  c.width = 640, c.height = 480;
-  c.fx = 620, c.fy = 615, c.cx = 318.3, c.cy = 243.7;
+  c.width = 640;
+  c.height = 480;
+  c.fx = 620;
+  c.fy = 615;
+  c.cx = 318.3;
+  c.cy = 243.7;
   return c;
 }
 
@@ -225,7 +229,11 @@ TEST(Camera, LensesThatFoldInsideTheImageAreRefused) {
   for (const Camera& c : cameras()) EXPECT_NO_THROW(c.check());
   Camera wide = with("plumb_bob", {-0.25, 0.05, 0, 0, -0.004});
   EXPECT_NO_THROW(wide.check());  // folds, but outside this image
-  wide.width = 1280, wide.height = 960, wide.fx = wide.fy = 580, wide.cx = 640, wide.cy = 480;
+  wide.width = 1280;
+  wide.height = 960;
+  wide.fx = wide.fy = 580;
+  wide.cx = 640;
+  wide.cy = 480;
   expectRefused([&] { wide.check(); }, {"folds over inside the image", "Calibrate"});
   // One that dips between two growing parts, and one of the rational model.
   Camera dip = with("plumb_bob", {-3.2, 4.5, 0, 0, 0});

@@ -89,7 +89,10 @@ TEST(CameraInfo, RegionOfInterestShiftsThePrincipalPoint) {
   sensor_msgs::CameraInfo info = goodInfo();
   info.D.clear();
   const Camera full = cameraFromInfo(info, ImageKind::kRaw, 640, 480);
-  info.roi.x_offset = 100, info.roi.y_offset = 60, info.roi.width = 400, info.roi.height = 300;
+  info.roi.x_offset = 100;
+  info.roi.y_offset = 60;
+  info.roi.width = 400;
+  info.roi.height = 300;
   const Camera part = cameraFromInfo(info, ImageKind::kRaw, 400, 300);
   const Eigen::Vector3d p(0.11, -0.07, 1.3);
   EXPECT_NEAR((full.project(p) - part.project(p) - Eigen::Vector2d(100, 60)).norm(), 0, 1e-9);
@@ -98,7 +101,10 @@ TEST(CameraInfo, RegionOfInterestShiftsThePrincipalPoint) {
 
 TEST(CameraInfo, KnowsTheSizeOfItsImage) {
   sensor_msgs::CameraInfo info = goodInfo();
-  info.roi.x_offset = 100, info.roi.y_offset = 60, info.roi.width = 400, info.roi.height = 300;
+  info.roi.x_offset = 100;
+  info.roi.y_offset = 60;
+  info.roi.width = 400;
+  info.roi.height = 300;
   info.binning_x = info.binning_y = 2;
   const Camera camera = cameraFromInfo(info, ImageKind::kRaw);
   const Camera expected = cameraFromInfo(info, ImageKind::kRaw, 200, 150);
@@ -112,7 +118,10 @@ TEST(CameraInfo, KnowsTheSizeOfItsImage) {
 
 TEST(CameraInfo, RegionAndBinningTogether) {
   sensor_msgs::CameraInfo info = goodInfo();
-  info.roi.x_offset = 100, info.roi.y_offset = 60, info.roi.width = 400, info.roi.height = 300;
+  info.roi.x_offset = 100;
+  info.roi.y_offset = 60;
+  info.roi.width = 400;
+  info.roi.height = 300;
   info.binning_x = info.binning_y = 2;
   const Camera camera = cameraFromInfo(info, ImageKind::kRaw, 200, 150);
   EXPECT_DOUBLE_EQ(camera.fx, 350);
@@ -122,12 +131,18 @@ TEST(CameraInfo, RegionAndBinningTogether) {
 
 TEST(CameraInfo, RefusesRegionsThatCannotBe) {
   sensor_msgs::CameraInfo info = goodInfo();
-  info.roi.x_offset = 400, info.roi.width = 400, info.roi.height = 300;
+  info.roi.x_offset = 400;
+  info.roi.width = 400;
+  info.roi.height = 300;
   EXPECT_THAT(refusal(info, ImageKind::kRaw, 400, 300), HasSubstr("leaves the camera's 640x480 image"));
-  info.roi.x_offset = 0, info.roi.width = 200, info.roi.height = 150;
+  info.roi.x_offset = 0;
+  info.roi.width = 200;
+  info.roi.height = 150;
   EXPECT_THAT(refusal(info, ImageKind::kRaw, 200, 150), HasSubstr("principal point"));
   info = goodInfo();
-  info.roi.width = 640, info.roi.height = 480, info.roi.do_rectify = true;
+  info.roi.width = 640;
+  info.roi.height = 480;
+  info.roi.do_rectify = true;
   EXPECT_THAT(refusal(info, ImageKind::kRectified), HasSubstr("do_rectify"));
   EXPECT_EQ(refusal(info, ImageKind::kRaw), "accepted");
 }

@@ -53,7 +53,10 @@ TEST(Conversion, PoseThereAndBack) {
   const Rigid3 pose = somePose();
   EXPECT_NEAR(difference(pose, fromPose(toPose(pose))).norm(), 0, 1e-12);
   geometry_msgs::Pose longer = toPose(pose);  // a quaternion that is not of unit length
-  longer.orientation.x *= 3, longer.orientation.y *= 3, longer.orientation.z *= 3, longer.orientation.w *= 3;
+  longer.orientation.x *= 3;
+  longer.orientation.y *= 3;
+  longer.orientation.z *= 3;
+  longer.orientation.w *= 3;
   EXPECT_NEAR(difference(pose, fromPose(longer)).norm(), 0, 1e-12);
 }
 
@@ -102,10 +105,13 @@ TEST(Conversion, MessageCarriesEveryField) {
   object.name = "bridge";
   object.camera_from_object = somePose();
   object.covariance = Matrix6d::Identity() * 0.5;
-  object.plausibility = 0.1, object.reliability = 0.2, object.probability = 0.3;
+  object.plausibility = 0.1;
+  object.reliability = 0.2;
+  object.probability = 0.3;
   object.decision = Decision::kAmbiguous;
   object.alternatives.push_back({1, Rigid3{}, 0.25});
-  object.matched_features = 4, object.expected_features = 5;
+  object.matched_features = 4;
+  object.expected_features = 5;
   object.bounding_box = cv::Rect(-10, 20, 50, 60);
   object.symmetry = "2 equal poses";
   object.free_axis = true;

@@ -48,7 +48,9 @@ TEST(DropTargets, ThePartStandsAtThePlaceAsItStood) {
   grasp.rotation = grasp.rotation * Eigen::AngleAxisd(2.9, Eigen::Vector3d::UnitX()).toRotationMatrix();
   const Rigid3 tcp_from_block = grasp.inverse() * base_from_block;
   DropPlace place;
-  place.x = 0.4, place.y = -0.3, place.yaw = 1.5;
+  place.x = 0.4;
+  place.y = -0.3;
+  place.yaw = 1.5;
   const std::vector<DropTarget> drops = dropTargets(place, footprint, grasp, 0.001, 0.1);
   ASSERT_EQ(drops.size(), 8u);
   for (size_t k = 0; k < drops.size(); ++k) {

@@ -76,7 +76,8 @@ TEST(EyeHandConversion, WhatWasCutShortIsNotComplete) {
   EXPECT_TRUE(isComplete(array));
   array.truncated = true;
   EXPECT_FALSE(isComplete(array));
-  array.truncated = false, array.budget_spent = true;
+  array.truncated = false;
+  array.budget_spent = true;
   EXPECT_FALSE(isComplete(array));
 }
 
@@ -89,7 +90,8 @@ MappedObject mapped() {
   object.covariance = someCovariance();
   object.free_axis = true;
   object.probability = 0.7;
-  object.views = 4, object.misses = 1;
+  object.views = 4;
+  object.misses = 1;
   return object;
 }
 
@@ -112,13 +114,16 @@ TEST(EyeHandConversion, GraspTargetCarriesEveryField) {
   grasp.base_from_pregrasp = {expSO3({0.1, 0, 0}), {1, 2, 3}};
   grasp.base_from_grasp = {expSO3({0, 0.2, 0}), {4, 5, 6}};
   grasp.base_from_retreat = {expSO3({0, 0, 0.3}), {7, 8, 9}};
-  grasp.width = 0.03, grasp.opening = 0.05;
+  grasp.width = 0.03;
+  grasp.opening = 0.05;
   grasp.approach = {0.6, 0, -0.8};
   grasp.branch = {Shoulder::kLeft, Elbow::kDown, Wrist::kNegative};
   grasp.pregrasp_joints << 1, 2, 3, 4, 5, 6;
   grasp.grasp_joints << 11, 12, 13, 14, 15, 16;
   grasp.retreat_joints << 21, 22, 23, 24, 25, 26;
-  grasp.free = 0.01, grasp.needed = 0.004, grasp.quality = 0.9;
+  grasp.free = 0.01;
+  grasp.needed = 0.004;
+  grasp.quality = 0.9;
   grasp.source = "faces 3 and 5";
   const GraspTarget target = toMessage(object, grasp);
   EXPECT_EQ(target.header, object.header);

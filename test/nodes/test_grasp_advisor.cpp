@@ -49,8 +49,11 @@ class Advisor : public testing::Test {
     SharedMap map(*models_, parameters_->map, "base_link");
     ObjectView view;
     view.stamp = 100;
-    view.camera.width = 640, view.camera.height = 480;
-    view.camera.fx = view.camera.fy = 600, view.camera.cx = 320, view.camera.cy = 240;
+    view.camera.width = 640;
+    view.camera.height = 480;
+    view.camera.fx = view.camera.fy = 600;
+    view.camera.cx = 320;
+    view.camera.cy = 240;
     view.hand = handPose(*arm_, ready().joints);
     const Rigid3 camera_from_base = view.hand.base_from_tool0.inverse();
     for (const Placed& one : placed) {
@@ -168,10 +171,14 @@ TEST(SharedMapTest, StampsAreKeptToTheNanosecond) {
   const ModelBase models = loadShapes(parameters.objects);
   SharedMap map(models, parameters.map, "base_link");
   ObjectView view;
-  view.camera.width = 640, view.camera.height = 480;
-  view.camera.fx = view.camera.fy = 600, view.camera.cx = 320, view.camera.cy = 240;
+  view.camera.width = 640;
+  view.camera.height = 480;
+  view.camera.fx = view.camera.fy = 600;
+  view.camera.cx = 320;
+  view.camera.cy = 240;
   SeenObject bridge, frame;
-  bridge.object = models.indexOf("bridge"), frame.object = models.indexOf("frame");
+  bridge.object = models.indexOf("bridge");
+  frame.object = models.indexOf("frame");
   bridge.covariance = frame.covariance = Matrix6d::Identity() * 1e-8;
   bridge.camera_from_object.translation = {0, 0, -1};  // behind the camera: never missed
   frame.camera_from_object.translation = {0.5, 0, -1};
@@ -206,8 +213,11 @@ TEST(GraspArrowsTest, AppearAndGo) {
   GraspTargetArray grasps;
   grasps.header.frame_id = "base_link";
   grasps.targets.resize(2);
-  grasps.targets[0].name = "bridge", grasps.targets[0].instance = 4, grasps.targets[0].feasible = true;
-  grasps.targets[0].pregrasp.position.z = 1, grasps.targets[0].grasp.position.z = 0.9;
+  grasps.targets[0].name = "bridge";
+  grasps.targets[0].instance = 4;
+  grasps.targets[0].feasible = true;
+  grasps.targets[0].pregrasp.position.z = 1;
+  grasps.targets[0].grasp.position.z = 0.9;
   grasps.targets[1].name = "grenade";
   GraspArrows arrows;
   visualization_msgs::MarkerArray array = arrows.build(grasps);

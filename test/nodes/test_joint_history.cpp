@@ -121,7 +121,8 @@ TEST_F(History, LeavesOutWhatIsBroken) {
   add(100, 0.2);
   EXPECT_EQ(history_.problem(), "");
   sensor_msgs::JointState fingers;  // a gripper that speaks for itself is no problem
-  fingers.name = {"finger"}, fingers.position = {1};
+  fingers.name = {"finger"};
+  fingers.position = {1};
   history_.add(fingers, ros::Time(500));
   EXPECT_EQ(history_.problem(), "");
 }

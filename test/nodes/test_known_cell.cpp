@@ -1,17 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "cube_on_table.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/known_cell.h"
+#include "nodes/optical_frame.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-Rigid3 lookingDown(double x, double y, double z) {
-  Rigid3 pose;
-  pose.rotation = Eigen::Vector3d(1, -1, -1).asDiagonal();
-  pose.translation = {x, y, z};
-  return pose;
-}
 
 GripperState state(double width, bool stalled) {
   GripperState gripper;
@@ -24,17 +19,6 @@ bool has(const KnownSpace& space, const std::string& name) {
   for (const KnownBox& box : space.boxes)
     if (box.name == name) return true;
   return false;
-}
-
-/// A cube of 40 mm whose origin is the middle of its foot.
-ModelBase cube() {
-  ModelBase models;
-  KnownObject object;
-  object.model.name = "cube";
-  for (int k = 0; k < 8; ++k)
-    object.model.mesh.vertices.emplace_back(k & 1 ? 0.02 : -0.02, k & 2 ? 0.02 : -0.02, k & 4 ? 0.04 : 0);
-  models.objects.push_back(object);
-  return models;
 }
 
 TEST(KnownCell, TableBoxesHandAndWhatItHolds) {
@@ -88,12 +72,7 @@ class BodyFrame : public testing::Test {
     ObjectView view;
     view.hand.base_from_tool0 = base_from_optical;
     view.hand_eye.tool0_from_camera = {optical_from_frame, Eigen::Vector3d::Zero()};
-    for (const Eigen::Vector3d& foot : in_base) {
-      SeenObject seen;
-      seen.object = 0;
-      seen.camera_from_object = base_from_optical.inverse() * Rigid3{Eigen::Matrix3d::Identity(), foot};
-      view.objects.push_back(seen);
-    }
+    for (const Eigen::Vector3d& foot : in_base) view.objects.push_back(seenCube(base_from_optical, foot));
     return view;
   }
   const ModelBase models_ = cube();

@@ -23,7 +23,8 @@ ModelBase twoObjects() {
     known.model.mesh.triangles = {{0, 2, 1}, {0, 1, 3}};
     known.model.bounds = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.1, 0.1, 0.1));
     ModelEdge edge;
-    edge.p = {0, 0, 0}, edge.q = {0.1, 0, 0};
+    edge.p = {0, 0, 0};
+    edge.q = {0.1, 0, 0};
     known.model.edges = {edge};
     models.objects.push_back(known);
   }
@@ -152,8 +153,11 @@ TEST(Markers, RoundObjectsHaveEdgesToo) {
   ObjectModel& ring = models.objects[0].model;
   ring.edges.clear();
   ModelCircle circle;
-  circle.centre = {0, 0, 0.1}, circle.axis = {0, 0, 1}, circle.x_axis = {1, 0, 0};
-  circle.radius = 0.05, circle.sweep = 2 * M_PI;
+  circle.centre = {0, 0, 0.1};
+  circle.axis = {0, 0, 1};
+  circle.x_axis = {1, 0, 0};
+  circle.radius = 0.05;
+  circle.sweep = 2 * M_PI;
   ring.circles = {circle};
   models.objects[1].model.edges.clear();
   const auto markers = shownOnce(models, {}, {seen(0, Decision::kAmbiguous), seen(1, Decision::kAmbiguous)});

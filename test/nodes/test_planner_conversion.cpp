@@ -64,9 +64,11 @@ TEST(PlannerConversion, ArmState) {
 TEST(PlannerConversion, TrajectoryStartsAtItsSecondPoint) {
   Trajectory trajectory;
   trajectory.points.resize(3);
-  trajectory.points[1].time_s = 0.5, trajectory.points[1].position[4] = 0.25;
+  trajectory.points[1].time_s = 0.5;
+  trajectory.points[1].position[4] = 0.25;
   trajectory.points[1].velocity[4] = 1;
-  trajectory.points[2].time_s = 1, trajectory.points[2].position[4] = 0.5;
+  trajectory.points[2].time_s = 1;
+  trajectory.points[2].position[4] = 0.5;
   const trajectory_msgs::JointTrajectory message = toMessage(trajectory);
   EXPECT_EQ(message.joint_names.size(), 6u);
   EXPECT_EQ(message.joint_names[4], "joint5");
@@ -90,8 +92,11 @@ TEST(PlannerConversion, BrokenPosesAreNamed) {
 
 TEST(PlannerConversion, PickTarget) {
   GraspTarget message;
-  message.pregrasp = poseAt(1), message.grasp = poseAt(2), message.retreat = poseAt(3);
-  message.width = 0.04, message.opening = 0.06;
+  message.pregrasp = poseAt(1);
+  message.grasp = poseAt(2);
+  message.retreat = poseAt(3);
+  message.width = 0.04;
+  message.opening = 0.06;
   const PickTarget target = pickTargetOf(message, "bridge 3", 0.09);
   EXPECT_EQ(target.object, "bridge 3");
   EXPECT_EQ(target.base_from_tcp_grasp.translation.x(), 2);
@@ -102,9 +107,11 @@ TEST(PlannerConversion, PickTarget) {
   EXPECT_NE(refusal([&] { pickTargetOf(message, "x", 0.09); }).find("opening"), std::string::npos);
   message.opening = 0.03;
   EXPECT_NE(refusal([&] { pickTargetOf(message, "x", 0.09); }).find("must not be less"), std::string::npos);
-  message.opening = 0.06, message.width = NAN;
+  message.opening = 0.06;
+  message.width = NAN;
   EXPECT_NE(refusal([&] { pickTargetOf(message, "x", 0.09); }).find("width"), std::string::npos);
-  message.width = 0.04, message.retreat.position.z = INFINITY;
+  message.width = 0.04;
+  message.retreat.position.z = INFINITY;
   EXPECT_NE(refusal([&] { pickTargetOf(message, "x", 0.09); }).find("target.retreat"), std::string::npos);
 }
 
@@ -135,7 +142,8 @@ TEST(PlannerConversion, PathMarker) {
   const ToolArm tool{Puma560(), arm().tool0_from_tcp};
   Trajectory trajectory;
   trajectory.points.resize(2);
-  trajectory.points[1].time_s = 1, trajectory.points[1].position[0] = 1;
+  trajectory.points[1].time_s = 1;
+  trajectory.points[1].position[0] = 1;
   ros::Time::init();
   const visualization_msgs::Marker marker = pathMarker("base_link", tool, {trajectory});
   EXPECT_EQ(marker.header.frame_id, "base_link");

@@ -19,7 +19,8 @@ TEST(PlannerMarkers, TheTopOfTheTableIsWhereTheParametersSay) {
   for (const double yaw : {0.0, 0.7}) {
     PlannerParameters parameters;
     parameters.base_frame = "arm_base";
-    parameters.table.z = 0.42, parameters.table.yaw = yaw;
+    parameters.table.z = 0.42;
+    parameters.table.yaw = yaw;
     const auto array = cellMarkers(parameters);
     const Marker* table = find(array, "table");
     ASSERT_TRUE(table);
@@ -46,7 +47,9 @@ TEST(PlannerMarkers, TheDropZoneLiesOnTheTable) {
     EXPECT_LE(std::abs(p.y - parameters.drop_zone.y), parameters.drop_zone.width / 2 + 1e-9);
   }
   DropPlace place;
-  place.x = 0.3, place.y = -0.2, place.yaw = M_PI / 2;
+  place.x = 0.3;
+  place.y = -0.2;
+  place.yaw = M_PI / 2;
   parameters.drop_zone.list = {place};
   const auto listed = cellMarkers(parameters);  // no rectangle: nobody said one
   zone = find(listed, "drop_zone");
@@ -61,7 +64,9 @@ TEST(PlannerMarkers, EveryBoxIsShown) {
   PlannerParameters parameters;
   EXPECT_FALSE(find(cellMarkers(parameters), "boxes"));
   CellBox wall, post;
-  wall.name = "wall", wall.x = 1, wall.size = {{0.1, 2, 1}};
+  wall.name = "wall";
+  wall.x = 1;
+  wall.size = {{0.1, 2, 1}};
   post.name = "post", post.z = 0.5, post.roll = 0.1, post.pitch = 0.2, post.yaw = 0.3,
   post.size = {{1, 2, 3}};
   parameters.boxes = {wall, post};

@@ -54,8 +54,14 @@ TEST(PlannerParameters, RefusesByName) {
 
 TEST(PlannerParameters, GridOfPlaces) {
   DropZone zone;
-  zone.x = 1, zone.y = 2, zone.yaw = M_PI / 2, zone.length = 0.4, zone.width = 0.2;
-  zone.columns = 2, zone.rows = 1, zone.part_yaw = 0.1;
+  zone.x = 1;
+  zone.y = 2;
+  zone.yaw = M_PI / 2;
+  zone.length = 0.4;
+  zone.width = 0.2;
+  zone.columns = 2;
+  zone.rows = 1;
+  zone.part_yaw = 0.1;
   const std::vector<DropPlace> places = zone.places();
   ASSERT_EQ(places.size(), 2u);
   EXPECT_NEAR(places[0].x, 1, 1e-12);

@@ -46,6 +46,13 @@ TEST(StampWatch, TheFutureIsTold) {
   EXPECT_EQ(watch.problem(), "");
 }
 
+TEST(StampWatch, AnyStampIsTaken) {
+  StampWatch watch;
+  watch.add(ros::Time(4294967295u, 0), ros::Time(100));
+  watch.add(ros::Time(), ros::Time(4294967295u, 0));
+  EXPECT_EQ(watch.restarts(), 1u);
+}
+
 TEST(StampWatch, CountsHowOftenTimeBegan) {
   StampWatch watch;
   for (const double stamp : {100.0, 104.6, 104.2, 100.0, 104.6, 100.0})

@@ -63,14 +63,19 @@ TEST(TaskMessages, AGraspIsWhatItsMessageSays) {
   message.pregrasp = toPose(somePose(0.1));
   message.grasp = toPose(somePose(0.2));
   message.retreat = toPose(somePose(0.3));
-  message.width = 0.04, message.opening = 0.06;
-  message.approach.x = 0.6, message.approach.y = 0, message.approach.z = -0.8;
+  message.width = 0.04;
+  message.opening = 0.06;
+  message.approach.x = 0.6;
+  message.approach.y = 0;
+  message.approach.z = -0.8;
   for (size_t j = 0; j < 6; ++j) {
     message.pregrasp_joints[j] = 0.1 * double(j);
     message.grasp_joints[j] = 1 + 0.1 * double(j);
     message.retreat_joints[j] = 2 + 0.1 * double(j);
   }
-  message.free = 0.005, message.needed = 0.002, message.quality = 0.8;
+  message.free = 0.005;
+  message.needed = 0.002;
+  message.quality = 0.8;
   message.reason = "faces 1 and 2";
   const GraspCandidate grasp = fromMessage(message);
   EXPECT_LT(difference(grasp.base_from_pregrasp, somePose(0.1)).norm(), 1e-12);
@@ -117,7 +122,8 @@ TEST(TaskMessages, ResultAndFeedbackAreComplete) {
   result.objects.resize(2);
   result.objects[1].object = someObject();
   result.objects[1].reason = "because";
-  result.objects[1].picks = 2, result.objects[1].near_looks = 5;
+  result.objects[1].picks = 2;
+  result.objects[1].near_looks = 5;
   const ClearFrameResult message = toMessage(result, "base_link", 41.5);
   EXPECT_EQ(message.reason, "why");
   EXPECT_EQ(message.rounds, 3);
@@ -130,8 +136,11 @@ TEST(TaskMessages, ResultAndFeedbackAreComplete) {
 
   TaskFeedback feedback;
   feedback.stage = TaskStage::kVerify;
-  feedback.object = "bridge 0", feedback.text = "the gripper holds it";
-  feedback.round = 2, feedback.carried = 1, feedback.left = 4;
+  feedback.object = "bridge 0";
+  feedback.text = "the gripper holds it";
+  feedback.round = 2;
+  feedback.carried = 1;
+  feedback.left = 4;
   const ClearFrameFeedback told = toMessage(feedback);
   EXPECT_EQ(told.stage, "verify");
   EXPECT_EQ(told.object, "bridge 0");

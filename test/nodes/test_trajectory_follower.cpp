@@ -15,9 +15,15 @@ Trajectory turn() {
   TrajectoryState state;
   state.acceleration[0] = 1;
   trajectory.points.push_back(state);
-  state.time_s = 1, state.position[0] = 0.5, state.velocity[0] = 1, state.acceleration[0] = -1;
+  state.time_s = 1;
+  state.position[0] = 0.5;
+  state.velocity[0] = 1;
+  state.acceleration[0] = -1;
   trajectory.points.push_back(state);
-  state.time_s = 2, state.position[0] = 1, state.velocity[0] = 0, state.acceleration[0] = 0;
+  state.time_s = 2;
+  state.position[0] = 1;
+  state.velocity[0] = 0;
+  state.acceleration[0] = 0;
   trajectory.points.push_back(state);
   return trajectory;
 }

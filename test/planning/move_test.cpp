@@ -41,7 +41,8 @@ TEST(Move, ToJointAngles) {
   MoveRequest request;
   request.start = lookingJoints();
   JointVector up = JointVector::Zero();
-  up[1] = M_PI / 2, up[2] = -M_PI / 2;
+  up[1] = M_PI / 2;
+  up[2] = -M_PI / 2;
   request.joints = {up};
   const MovePlan plan = planMove(toolArm(), world, request);
   ASSERT_TRUE(plan.planned()) << plan.reason;

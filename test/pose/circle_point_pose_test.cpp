@@ -154,26 +154,34 @@ TEST(CirclePointPose, NothingToFindIsAResult) {
   View bad = v;
   bad.object.point = v.object.centre + 0.03 * v.object.axis;  // no roll to see
   EXPECT_EQ(solve(bad, camera).count, 0);
-  bad = v, bad.object.point = v.object.centre;
+  bad = v;
+  bad.object.point = v.object.centre;
   EXPECT_EQ(solve(bad, camera).count, 0);
   bad = v, bad.object.axis.setZero();
   EXPECT_EQ(solve(bad, camera).count, 0);
-  bad = v, bad.object.radius = 0;
+  bad = v;
+  bad.object.radius = 0;
   EXPECT_EQ(solve(bad, camera).count, 0);
-  bad = v, bad.ellipse.b = 0;
+  bad = v;
+  bad.ellipse.b = 0;
   EXPECT_EQ(solve(bad, camera).count, 0);
   const double numbers[] = {std::numeric_limits<double>::quiet_NaN(),
                             std::numeric_limits<double>::infinity()};
   for (const double value : numbers) {
-    bad = v, bad.uv.x() = value;
+    bad = v;
+    bad.uv.x() = value;
     EXPECT_EQ(solve(bad, camera).count, 0);
-    bad = v, bad.object.point.y() = value;
+    bad = v;
+    bad.object.point.y() = value;
     EXPECT_EQ(solve(bad, camera).count, 0);
-    bad = v, bad.object.axis.y() = value;
+    bad = v;
+    bad.object.axis.y() = value;
     EXPECT_EQ(solve(bad, camera).count, 0);
-    bad = v, bad.object.centre.z() = value;
+    bad = v;
+    bad.object.centre.z() = value;
     EXPECT_EQ(solve(bad, camera).count, 0);
-    bad = v, bad.object.radius = value;
+    bad = v;
+    bad.object.radius = value;
     EXPECT_EQ(solve(bad, camera).count, 0);
   }
 }

@@ -400,7 +400,8 @@ TEST(P3P, NoSolutionIsAResult) {
   for (const double value : bad)
     for (int i = 0; i < 9; ++i) {
       Matrix3d bearings = p.bearings, points = p.points;
-      bearings(i) = value, points(i) = value;
+      bearings(i) = value;
+      points(i) = value;
       EXPECT_EQ(solveP3P(bearings, p.points).count, 0) << value << " at " << i;
       EXPECT_EQ(solveP3P(p.bearings, points).count, 0) << value << " at " << i;
       EXPECT_EQ(solveTetrahedron(bearings, {1, 1, 1}).count, 0);

@@ -24,8 +24,12 @@ inline Eigen::Matrix3d randomRotation(Random& random) {
 }
 inline Camera testCamera() {
   Camera camera;
-  camera.width = 640, camera.height = 480;
-  camera.fx = 600, camera.fy = 605, camera.cx = 322, camera.cy = 236;
+  camera.width = 640;
+  camera.height = 480;
+  camera.fx = 600;
+  camera.fy = 605;
+  camera.cx = 322;
+  camera.cy = 236;
   return camera;
 }
 

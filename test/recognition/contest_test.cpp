@@ -37,7 +37,10 @@ TEST(Shares, stay_finite_whatever_the_log_odds) {
 TEST(ContestWeights, of_the_other_way_round_give_the_opposite) {
   const ContestWeights weights = fittedWeights().contest;
   PoseContest contest, opposite;
-  contest.log_odds = 0.4, contest.precise = -0.2, contest.contrast = 1.5, contest.shading = -0.7;
+  contest.log_odds = 0.4;
+  contest.precise = -0.2;
+  contest.contrast = 1.5;
+  contest.shading = -0.7;
   opposite = contest;
   opposite.visit([](const char*, double& value) { value = -value; });
   EXPECT_EQ(weights.logOdds(contest), -weights.logOdds(opposite));

@@ -147,14 +147,22 @@ TEST(FittedWeights, are_those_of_the_shipped_file_and_tell_their_source) {
 }
 
 TEST(FittedWeights, that_are_not_finite_are_refused_by_name) {
-  DecisionWeights weights = fittedWeights();
-  weights.terms[0].weight = std::numeric_limits<double>::quiet_NaN();
-  try {
-    weights.check();
-    FAIL() << "not refused";
-  } catch (const BadInput& e) {
-    EXPECT_NE(std::string(e.what()).find(decisionTerms()[0].name), std::string::npos) << e.what();
-  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [](const DecisionWeights& weights, const std::string& word) {
+    try {
+      weights.check();
+      FAIL() << "not refused: " << word;
+    } catch (const BadInput& e) {
+      EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+    }
+  };
+  DecisionWeights term = fittedWeights(), lead = term, contest = term;
+  term.terms[0].weight = nan;
+  refused(term, decisionTerms()[0].name);
+  lead.lead.own = nan;
+  refused(lead, "lead");
+  contest.contest.shading = nan;
+  refused(contest, "contest");
 }
 
 TEST(Contributions, add_up_to_the_difference_from_a_typical_candidate) {

@@ -29,7 +29,8 @@ TEST(EdgeProfiles, the_farther_from_clean_the_farther_off) {
     EXPECT_NEAR(wide, narrow, 0.2 * wide) << step;
     EXPECT_GE(wide, last_wide);
     EXPECT_GE(narrow, last_narrow);
-    last_wide = wide, last_narrow = narrow;
+    last_wide = wide;
+    last_narrow = narrow;
   }
   EXPECT_GT(last_wide, 0.5);
 }

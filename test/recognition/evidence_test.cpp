@@ -12,7 +12,8 @@ const int kVertical = orientationBin(0, 1), kHorizontal = orientationBin(1, 0);
 
 RectDomain plainDomain(int width, int height) {
   RectDomain domain;
-  domain.width = width, domain.height = height;
+  domain.width = width;
+  domain.height = height;
   return domain;
 }
 
@@ -21,7 +22,8 @@ void addEdge(FeatureSet* features, const Eigen::Vector2f& from, double angle, in
              float gradient = 20) {
   const Eigen::Vector2f along(float(std::cos(angle)), float(std::sin(angle)));
   EdgeTrace trace;
-  trace.first = int(features->points.size()), trace.count = length;
+  trace.first = int(features->points.size());
+  trace.count = length;
   for (int i = 0; i < length; ++i) {
     EdgePoint point;
     point.uv = from + float(i) * along;
@@ -35,8 +37,12 @@ void addEdge(FeatureSet* features, const Eigen::Vector2f& from, double angle, in
 
 Camera distortedCamera() {
   Camera camera;
-  camera.width = 320, camera.height = 240;
-  camera.fx = 310, camera.fy = 311, camera.cx = 162, camera.cy = 118;
+  camera.width = 320;
+  camera.height = 240;
+  camera.fx = 310;
+  camera.fy = 311;
+  camera.cx = 162;
+  camera.cy = 118;
   const double d[] = {-0.28, 0.08, 0.001, -0.0005, 0};
   setDistortion(&camera, "plumb_bob", d, 5);
   return camera;
@@ -144,7 +150,8 @@ TEST(EvidenceMap, follows_the_domain_of_a_lens) {
 
 TEST(RectDomain, is_the_image_without_distortion) {
   Camera camera = distortedCamera();
-  camera.model = DistortionModel::kNone, camera.d = {};
+  camera.model = DistortionModel::kNone;
+  camera.d = {};
   const RectDomain domain = rectDomain(camera);
   EXPECT_EQ(domain.u0, 0);
   EXPECT_EQ(domain.v0, 0);

@@ -13,8 +13,11 @@ constexpr int kFeatures = 8;
 
 Camera camera() {
   Camera c;
-  c.width = 640, c.height = 480;
-  c.fx = c.fy = 700, c.cx = 319.5, c.cy = 239.5;
+  c.width = 640;
+  c.height = 480;
+  c.fx = c.fy = 700;
+  c.cx = 319.5;
+  c.cy = 239.5;
   return c;
 }
 

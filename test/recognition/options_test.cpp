@@ -69,10 +69,19 @@ TEST(RecognitionOptions, unknown_keys_are_refused_with_the_nearest_known) {
 
 TEST(RecognitionOptions, every_field_is_written_and_read_back) {
   RecognitionOptions options;
-  options.features.smoothing_sigma = 1.25, options.grouping.corner_gap = 6, options.decision.bias = -3;
-  options.min_distance = 0.3, options.max_distance = 1.5, options.min_size = 40, options.min_in_frame = 0.5;
-  options.search_width = 640, options.refined_per_object = 100, options.verified_per_object = 20;
-  options.budget = 5000, options.time_limit = 2, options.accept_probability = 0.6;
+  options.features.smoothing_sigma = 1.25;
+  options.grouping.corner_gap = 6;
+  options.decision.bias = -3;
+  options.min_distance = 0.3;
+  options.max_distance = 1.5;
+  options.min_size = 40;
+  options.min_in_frame = 0.5;
+  options.search_width = 640;
+  options.refined_per_object = 100;
+  options.verified_per_object = 20;
+  options.budget = 5000;
+  options.time_limit = 2;
+  options.accept_probability = 0.6;
   options.ambiguous_ratio = 0.4;
   const OptionTree written = writeOptions(options);
   RecognitionOptions again;

@@ -279,7 +279,8 @@ INSTANTIATE_TEST_SUITE_P(Pictures, JudgedOn,
 TEST(Options, distances_and_sizes_that_are_not_considered_are_not_found) {
   const Picture picture = shippedPicture("golden/grenade");  // stands at 0.45 m
   RecognitionOptions far;
-  far.min_distance = 0.7, far.max_distance = 2;
+  far.min_distance = 0.7;
+  far.max_distance = 2;
   for (const ObjectEstimate& o : recognizerWith(far).recognize(picture.grey, picture.camera).objects)
     EXPECT_GE(o.camera_from_object.translation.norm(), 0.6);
   RecognitionOptions strict;

@@ -127,11 +127,15 @@ class Explained : public testing::Test {
     features_.points.resize(20);
     features_.traces = {{0, 10, false}, {10, 10, false}};
     features_.arcs.resize(2);
-    features_.arcs[0].first = 0, features_.arcs[0].count = 10;
-    features_.arcs[1].first = 10, features_.arcs[1].count = 10;
+    features_.arcs[0].first = 0;
+    features_.arcs[0].count = 10;
+    features_.arcs[1].first = 10;
+    features_.arcs[1].count = 10;
     features_.ellipse_arcs = {0, 1};
-    segment_.first = 0, segment_.count = 10;
-    ellipse_.first_arc = 0, ellipse_.arc_count = 2;
+    segment_.first = 0;
+    segment_.count = 10;
+    ellipse_.first_arc = 0;
+    ellipse_.arc_count = 2;
   }
 
   FeatureSet features_;

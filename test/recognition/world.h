@@ -119,8 +119,11 @@ inline SceneObject standing(const std::string& name, const Mesh& mesh,
 
 inline Camera testCamera() {
   Camera camera;
-  camera.width = 640, camera.height = 480;
-  camera.fx = camera.fy = 700, camera.cx = 319.5, camera.cy = 239.5;
+  camera.width = 640;
+  camera.height = 480;
+  camera.fx = camera.fy = 700;
+  camera.cx = 319.5;
+  camera.cy = 239.5;
   return camera;
 }
 

@@ -186,7 +186,9 @@ TEST_F(EvaluationPages, a_missed_object_says_how_near_the_search_came) {
   traced.scene = 1;
   traced.image = 1;
   traced.groupings = 7;
-  traced.generated = 12, traced.taken = 14, traced.aligned = 3;
+  traced.generated = 12;
+  traced.taken = 14;
+  traced.aligned = 3;
   traced_ = {traced};
   const std::string html = readFile(writeMissesPage(folder_, run()));
   EXPECT_EQ(nestingFault(html), "");

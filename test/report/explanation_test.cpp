@@ -50,7 +50,8 @@ RecognitionResult someResult() {
   RecognitionResult result;
   result.features.camera = camera();
   LineSegment segment;
-  segment.p = {100, 100}, segment.q = {300, 200};
+  segment.p = {100, 100};
+  segment.q = {300, 200};
   result.features.segments = {segment};
   Grouping edge;
   edge.segments = {0};

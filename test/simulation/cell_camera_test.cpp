@@ -20,7 +20,8 @@ bool same(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_I
 
 TEST(CellCamera, ShowsTheSceneAsRenderSceneDoes) {
   CellOptions options = looking();
-  options.camera.noise_sigma = 0, options.camera.shot_noise = 0;
+  options.camera.noise_sigma = 0;
+  options.camera.shot_noise = 0;
   options.camera.exposure = 1.1;
   options.lights.resize(1);
   options.lights[0].x = 2, options.lights[0].y = -2,
@@ -31,7 +32,9 @@ TEST(CellCamera, ShowsTheSceneAsRenderSceneDoes) {
   Scene scene = cell.scene().scene;
   scene.world_from_camera = cell.scene().base_from_table.inverse() * image.base_from_camera;
   RenderOptions render;
-  render.noise_sigma = 0, render.shot_noise = 0, render.blur_sigma = options.camera.blur_sigma;
+  render.noise_sigma = 0;
+  render.shot_noise = 0;
+  render.blur_sigma = options.camera.blur_sigma;
   render.exposure = 1.1;
   const RenderedImage reference = renderScene(scene, cell.scene().camera, render);
   int others = 0, deeper = 0;

@@ -25,7 +25,8 @@ const Rigid3 kAbove = tableFromTcp(-0.05, 0, 0.16, M_PI / 2), kAt = tableFromTcp
 /// Opens, comes from above, closes.
 void grip(WorkCell* cell, double aside = 0) {
   Rigid3 above = kAbove, at = kAt;
-  above.translation.y() += aside, at.translation.y() += aside;
+  above.translation.y() += aside;
+  at.translation.y() += aside;
   closeGripper(cell, 0.08);
   moveTo(cell, jointsFor(*cell, above));
   moveStraight(cell, above, at);

@@ -4,30 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <map>
 
+#include "mesh_checks.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 using namespace monocular_eye_hand;
 
 namespace {
-
-double volume(const Mesh& mesh) {
-  double sum = 0;
-  for (const auto& t : mesh.triangles)
-    sum += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
-  return sum;
-}
-
-// Every edge is used once in each direction.
-bool closed(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> edges;
-  for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) edges[{t[k], t[(k + 1) % 3]}]++;
-  for (const auto& [edge, count] : edges)
-    if (count != 1 || !edges.count({edge.second, edge.first})) return false;
-  return true;
-}
 
 void expectSolid(const Mesh& mesh, double expected) {
   EXPECT_TRUE(closed(mesh));

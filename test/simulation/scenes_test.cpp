@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <map>
 #include <set>
 
+#include "mesh_checks.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/model/stable_poses.h"
@@ -17,23 +17,6 @@
 using namespace monocular_eye_hand;
 
 namespace {
-
-double volume(const Mesh& mesh) {
-  double sum = 0;
-  for (const auto& t : mesh.triangles)
-    sum += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
-  return sum;
-}
-
-// Every edge is used once in each direction.
-bool closed(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> edges;
-  for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) edges[{t[k], t[(k + 1) % 3]}]++;
-  for (const auto& [edge, count] : edges)
-    if (count != 1 || !edges.count({edge.second, edge.first})) return false;
-  return true;
-}
 
 std::vector<NamedMesh> parts() {
   return {{"block", std::make_shared<Mesh>(boxMesh({0.08, 0.05, 0.03}))},
@@ -83,7 +66,8 @@ TEST(StablePoses, OfABoxAreItsSixFaces) {
     double low = 1e9, high = -1e9;
     for (const Eigen::Vector3d& p : boxMesh({0.10, 0.06, 0.02}).vertices) {
       const double z = (pose.table_from_object * p).z();
-      low = std::min(low, z), high = std::max(high, z);
+      low = std::min(low, z);
+      high = std::max(high, z);
     }
     EXPECT_NEAR(low, 0, 1e-9);
     heights.insert(int(std::lround(1000 * high)));

@@ -185,7 +185,8 @@ TEST(ClearFrame, WhatASecondLookShowsFreeIsNotGivenUp) {
 TEST(ClearFrame, WhatOnlyASearchShowsIsCarriedOutToo) {
   World world;
   World::Thing& bridge = world.put(kBridge, 0, at(0.5, 0));
-  bridge.there = false, bridge.misses_left = 0;
+  bridge.there = false;
+  bridge.misses_left = 0;
   world.before_look = [&](const TaskView& view) {
     if (view.overview < 0 && world.motions == 0) world.thing(kBridge, 0).there = true;
   };

@@ -41,8 +41,11 @@ class ToolWorld : public testing::Test {
     const std::string models = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/models/";
     write("objects.yaml", "objects:\n  - {name: bridge, mesh: " + models + "bridge.ply, unit: mm}\n" +
                               "  - {name: bracket, mesh: " + models + "bracket.ply, unit: mm}\n");
-    camera_.width = 640, camera_.height = 480;
-    camera_.fx = camera_.fy = 700, camera_.cx = 319.5, camera_.cy = 239.5;
+    camera_.width = 640;
+    camera_.height = 480;
+    camera_.fx = camera_.fy = 700;
+    camera_.cx = 319.5;
+    camera_.cy = 239.5;
     writeCamera(path("camera.yaml"), camera_);
   }
   ~ToolWorld() override { std::filesystem::remove_all(folder_); }

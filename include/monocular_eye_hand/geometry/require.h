@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+namespace monocular_eye_hand {
+
+// For options: each throws BadInput unless the field is as it must be.
+
+/// "FIELD = VALUE must be RULE"
+void require(bool holds, const std::string& field, double value, const std::string& rule);
+/// Positive and finite.
+void requirePositive(const std::string& field, double value);
+/// "FIELD is not set: give WHAT" when the value is empty.
+void requireGiven(const std::string& field, const std::string& value, const std::string& what);
+
+}  // namespace monocular_eye_hand
