@@ -114,9 +114,9 @@ ChildResult runChild(const std::string& program, const std::vector<std::string>&
   return result;
 }
 
-std::string fileOfCode(const void* symbol) {
+std::string fileOf(const void* address) {
   Dl_info info;
-  return dladdr(symbol, &info) != 0 && info.dli_fname ? info.dli_fname : "";
+  return dladdr(address, &info) != 0 && info.dli_fname ? info.dli_fname : "";
 }
 
 }  // namespace monocular_eye_hand

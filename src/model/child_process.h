@@ -15,7 +15,7 @@ struct ChildResult {
 ChildResult runChild(const std::string& program, const std::vector<std::string>& arguments,
                      const std::string& input);
 
-/// The file of the library or program that `symbol` belongs to.
-std::string fileOfCode(const void* symbol);
+/// The file of the library or program that holds this address.
+std::string fileOf(const void* address);
 
 }  // namespace monocular_eye_hand

@@ -32,6 +32,8 @@ struct AssimpLimits {
 };
 ReadMesh readByAssimp(const std::string& bytes, const std::string& file, const std::string& extension,
                       const AssimpLimits& limits = {});  ///< OBJ, DAE
+/// Why a process of this wait status gave no answer, and what to do.
+std::string assimpProblem(int status, const AssimpLimits& limits);
 
 /// True when the bytes are a binary STL whose count of triangles is that of its size.
 bool isExactBinaryStl(const std::string& bytes);

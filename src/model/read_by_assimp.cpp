@@ -73,7 +73,8 @@ void requireNumbers(const std::string& collada, const std::string& file) {
 /// because a node has threads whose locks a fork would copy in any state. There is no second way, in this
 /// process: it would be taken where nobody knows that the first one is missing.
 std::string readerProgram() {
-  const std::string library = fileOfCode(reinterpret_cast<const void*>(&readByAssimp));
+  static const char kHere = 0;
+  const std::string library = fileOf(&kHere);
   const size_t slash = library.rfind('/');
   return (slash == std::string::npos ? "" : library.substr(0, slash + 1)) +
          "monocular_eye_hand/assimp_reader";
@@ -89,22 +90,6 @@ ChildResult runReader(const std::string& text, const std::string& file, const st
     throw BadInput(file + ": the program " + program + ", which reads OBJ and DAE, cannot be started (" +
                    e.code().message() + "): install the package whole, or export the part as STL");
   }
-}
-
-/// Why there is no answer.
-std::string problemOf(int status, const AssimpLimits& limits) {
-  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  const std::string cure = "it is damaged or far too large: export it as STL";
-  if (signal == SIGXCPU || signal == SIGALRM)
-    return "reading the file takes longer than " + std::to_string(limits.seconds) + " s; " + cure;
-  if (signal == SIGKILL || (WIFEXITED(status) && WEXITSTATUS(status) == kAssimpNoMemory))
-    return "reading the file takes more memory than there is (at most " + std::to_string(limits.megabytes) +
-           " MB are allowed); " + cure;
-  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
-    return "reading the file was interrupted; try again";
-  const std::string how =
-      signal != 0 ? "signal " + std::to_string(signal) : "exit code " + std::to_string(WEXITSTATUS(status));
-  return "the file crashes the reader of OBJ and DAE (assimp, " + how + "): export it as STL";
 }
 
 /// A whole answer counts, however the process ended.
@@ -140,6 +125,21 @@ Mesh meshIn(const std::string& output, const AssimpAnswerHead& head, const std::
 
 }  // namespace
 
+std::string assimpProblem(int status, const AssimpLimits& limits) {
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const std::string cure = "it is damaged or far too large: export it as STL";
+  if (signal == SIGXCPU || signal == SIGALRM)
+    return "reading the file takes longer than " + std::to_string(limits.seconds) + " s; " + cure;
+  if (signal == SIGKILL || (WIFEXITED(status) && WEXITSTATUS(status) == kAssimpNoMemory))
+    return "reading the file takes more memory than there is (at most " + std::to_string(limits.megabytes) +
+           " MB are allowed); " + cure;
+  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
+    return "reading the file was interrupted; try again";
+  const std::string how =
+      signal != 0 ? "signal " + std::to_string(signal) : "exit code " + std::to_string(WEXITSTATUS(status));
+  return "the file crashes the reader of OBJ and DAE (assimp, " + how + "): export it as STL";
+}
+
 ReadMesh readByAssimp(const std::string& bytes, const std::string& file, const std::string& extension,
                       const AssimpLimits& limits) {
   const bool collada = extension == "dae";
@@ -147,7 +147,7 @@ ReadMesh readByAssimp(const std::string& bytes, const std::string& file, const s
   if (collada) requireNumbers(text, file);
   const ChildResult child = runReader(text, file, extension, limits);
   AssimpAnswerHead head;
-  if (!isWhole(child.output, &head)) throw BadInput(file + ": " + problemOf(child.status, limits));
+  if (!isWhole(child.output, &head)) throw BadInput(file + ": " + assimpProblem(child.status, limits));
   if (head.outcome == AssimpOutcome::kRefused) throw BadInput(file + ": " + child.output.substr(sizeof head));
 
   ReadMesh out;
