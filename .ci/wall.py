@@ -26,7 +26,7 @@ def targets(build, devel):
             continue
         room, target = folder.relative_to(build).parts[1], folder.name[:-len(".dir")]
         library = devel / "lib" / f"lib{target}.so"
-        program = devel / "lib" / PACKAGE / re.sub(f"^{PACKAGE}_(tool|node)_", "", target)
+        program = devel / "lib" / PACKAGE / re.sub(f"^{PACKAGE}_(tool|node|helper)_", "", target)
         if library.exists() or program.exists():
             yield room, target, library if library.exists() else program
 

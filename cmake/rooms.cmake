@@ -1,6 +1,7 @@
 # One room = one library with an explicit source list; its link line is the architecture diagram.
 #   room(<name> SOURCES <file>... [LINK <target>...])       library monocular_eye_hand_<name>, sources in src/<name>/
 #   tool(<name> SOURCES <file>... [LINK <target>...])       program <name>, target monocular_eye_hand_tool_<name>
+#   helper(<name> SOURCES <file>... [LINK <target>...])     program that a room starts, in a folder beside its library
 #   room_test(<room> <name> SOURCES <file>... [LINK ...])   gtest in test/<room>/, built by the target `tests`, run by ctest
 include(CMakeParseArguments)
 
@@ -26,6 +27,17 @@ function(tool name)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_PROGRAMS ${target})
+endfunction()
+
+function(helper name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  set(target monocular_eye_hand_helper_${name})
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE ${ARG_LINK})
+  target_compile_options(${target} PRIVATE -Wall -Wextra)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name}
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PROJECT_NAME})
+  set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_HELPERS ${target})
 endfunction()
 
 if(MONOCULAR_EYE_HAND_TESTS)

@@ -14,6 +14,8 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr size_t kMostBytes = 4 << 20;
+constexpr int kDeepest = 50;             // levels of a YAML file
+constexpr size_t kMostValues = 1000000;  // of a YAML file
 constexpr double kFarFromMiddle = 0.15;  // of the principal point, as a share of width or height
 const char kKnown[] =
     "known are the YAML and ost.ini of camera_calibration, OpenCV's FileStorage (YAML, XML), a CameraInfo "
@@ -29,6 +31,21 @@ struct Tree {
   throw BadInput("this is no camera calibration: " + why + "; " + kKnown);
 }
 
+/// Aliases (*name) may stand in what they name, or double it over and over: then there is no end.
+void requireEnd(const YAML::Node& node, int depth, size_t* values) {
+  if (depth > kDeepest || ++*values > kMostValues)
+    refuseAsNone("line " + std::to_string(node.Mark().line + 1) +
+                 " is nested too deeply or repeated too often (by aliases, *name)");
+  if (node.IsSequence()) {
+    for (const YAML::Node& item : node) requireEnd(item, depth + 1, values);
+  } else if (node.IsMap()) {
+    for (const auto& pair : node) {
+      requireEnd(pair.first, depth + 1, values);
+      requireEnd(pair.second, depth + 1, values);
+    }
+  }
+}
+
 /// The text as yaml-cpp takes it: OpenCV writes "%YAML:1.0", which is not YAML's own spelling.
 YAML::Node parseYaml(std::string text) {
   for (size_t at = 0; text.compare(at, 1, "%") == 0;) {
@@ -39,7 +56,10 @@ YAML::Node parseYaml(std::string text) {
   }
   try {
     for (const YAML::Node& document : YAML::LoadAll(text)) {
-      if (document.IsMap()) return document;
+      if (!document.IsMap()) continue;
+      size_t values = 0;
+      requireEnd(document, 0, &values);
+      return document;
     }
   } catch (const YAML::Exception& e) {
     refuseAsNone("line " + std::to_string(e.mark.line + 1) + " is not YAML (" + e.msg + ")");

@@ -24,8 +24,16 @@ std::string readFileBytes(const std::string& path);
 
 ReadMesh readStl(const std::string& bytes, const std::string& file);  ///< ascii or binary, told apart by size
 ReadMesh readPly(const std::string& bytes, const std::string& file);  ///< ascii, binary of both byte orders
-ReadMesh readByAssimp(const std::string& bytes, const std::string& file,
-                      const std::string& extension);  ///< OBJ, DAE
+
+/// What the process that runs assimp may take.
+struct AssimpLimits {
+  int seconds = 60;      ///< of the processor
+  int megabytes = 4096;  ///< of addresses; not under the address sanitizer
+};
+ReadMesh readByAssimp(const std::string& bytes, const std::string& file, const std::string& extension,
+                      const AssimpLimits& limits = {});  ///< OBJ, DAE
+/// Why a process of this wait status gave no answer, and what to do.
+std::string assimpProblem(int status, const AssimpLimits& limits);
 
 /// True when the bytes are a binary STL whose count of triangles is that of its size.
 bool isExactBinaryStl(const std::string& bytes);

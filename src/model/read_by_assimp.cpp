@@ -1,12 +1,14 @@
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+#include <signal.h>
+#include <sys/wait.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cctype>
+#include <cstring>
 #include <sstream>
+#include <system_error>
 
+#include "assimp_answer.h"
+#include "child_process.h"
 #include "mesh_readers.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
@@ -66,43 +68,91 @@ void requireNumbers(const std::string& collada, const std::string& file) {
   }
 }
 
-void append(const aiMesh& part, const std::string& file, Mesh* mesh) {
-  const int first = int(mesh->vertices.size());
-  for (unsigned k = 0; k < part.mNumVertices; ++k) {
-    const aiVector3D& v = part.mVertices[k];
-    mesh->vertices.emplace_back(v.x, v.y, v.z);
+/// assimp runs in a process of its own, the program assimp_reader: what crashes it, never returns from it or
+/// eats the memory is then a file that is refused, not the end of a node. A program rather than a fork,
+/// because a node has threads whose locks a fork would copy in any state. There is no second way, in this
+/// process: it would be taken where nobody knows that the first one is missing.
+std::string readerProgram() {
+  static const char kHere = 0;
+  const std::string library = fileOf(&kHere);
+  const size_t slash = library.rfind('/');
+  return (slash == std::string::npos ? "" : library.substr(0, slash + 1)) +
+         "monocular_eye_hand/assimp_reader";
+}
+
+ChildResult runReader(const std::string& text, const std::string& file, const std::string& extension,
+                      const AssimpLimits& limits) {
+  const std::string program = readerProgram();
+  try {
+    return runChild(program, {extension, std::to_string(limits.seconds), std::to_string(limits.megabytes)},
+                    text);
+  } catch (const std::system_error& e) {
+    throw BadInput(file + ": the program " + program + ", which reads OBJ and DAE, cannot be started (" +
+                   e.code().message() + "): install the package whole, or export the part as STL");
   }
-  for (unsigned k = 0; k < part.mNumFaces; ++k) {
-    const aiFace& face = part.mFaces[k];
-    if (face.mNumIndices != 3) continue;
-    std::array<int, 3> triangle;
-    for (int c = 0; c < 3; ++c) {
-      if (face.mIndices[c] >= part.mNumVertices)
+}
+
+/// A whole answer counts, however the process ended.
+bool isWhole(const std::string& output, AssimpAnswerHead* head) {
+  if (output.size() < sizeof *head) return false;
+  std::memcpy(head, output.data(), sizeof *head);
+  if (std::memcmp(head->magic, kAssimpMagic, sizeof head->magic) != 0) return false;
+  const uint64_t rest = output.size() - sizeof *head;
+  if (head->outcome == AssimpOutcome::kRefused) return head->text == rest;
+  return head->vertices <= rest / sizeof(Eigen::Vector3d) &&
+         head->triangles == (rest - head->vertices * sizeof(Eigen::Vector3d)) / sizeof(std::array<int, 3>);
+}
+
+Mesh meshIn(const std::string& output, const AssimpAnswerHead& head, const std::string& file) {
+  Mesh mesh;
+  mesh.vertices.resize(head.vertices);
+  mesh.triangles.resize(head.triangles);
+  const char* at = output.data() + sizeof head;
+  for (Eigen::Vector3d& v : mesh.vertices) {
+    std::memcpy(v.data(), at, sizeof v);
+    at += sizeof v;
+  }
+  for (std::array<int, 3>& triangle : mesh.triangles) {
+    std::memcpy(triangle.data(), at, sizeof triangle);
+    at += sizeof triangle;
+    for (const int index : triangle) {
+      if (index < 0 || uint64_t(index) >= head.vertices)
         throw BadInput(file + ": a face names a vertex that is missing");
-      triangle[c] = first + int(face.mIndices[c]);
     }
-    mesh->triangles.push_back(triangle);
   }
+  return mesh;
 }
 
 }  // namespace
 
-ReadMesh readByAssimp(const std::string& bytes, const std::string& file, const std::string& extension) {
+std::string assimpProblem(int status, const AssimpLimits& limits) {
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const std::string cure = "it is damaged or far too large: export it as STL";
+  if (signal == SIGXCPU || signal == SIGALRM)
+    return "reading the file takes longer than " + std::to_string(limits.seconds) + " s; " + cure;
+  if (signal == SIGKILL || (WIFEXITED(status) && WEXITSTATUS(status) == kAssimpNoMemory))
+    return "reading the file takes more memory than there is (at most " + std::to_string(limits.megabytes) +
+           " MB are allowed); " + cure;
+  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
+    return "reading the file was interrupted; try again";
+  const std::string how =
+      signal != 0 ? "signal " + std::to_string(signal) : "exit code " + std::to_string(WEXITSTATUS(status));
+  return "the file crashes the reader of OBJ and DAE (assimp, " + how + "): export it as STL";
+}
+
+ReadMesh readByAssimp(const std::string& bytes, const std::string& file, const std::string& extension,
+                      const AssimpLimits& limits) {
   const bool collada = extension == "dae";
   const std::string text = collada ? withoutUnit(bytes) : withLineFeeds(bytes);
   if (collada) requireNumbers(text, file);
-  Assimp::Importer importer;
-  // The object frame is the file's frame in the unit the user states: no turning of "up", no scaling.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* scene = importer.ReadFileFromMemory(
-      text.data(), text.size(),
-      aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_SortByPType, extension.c_str());
-  if (!scene) throw BadInput(file + ": " + importer.GetErrorString() + "; export it again");
+  const ChildResult child = runReader(text, file, extension, limits);
+  AssimpAnswerHead head;
+  if (!isWhole(child.output, &head)) throw BadInput(file + ": " + assimpProblem(child.status, limits));
+  if (head.outcome == AssimpOutcome::kRefused) throw BadInput(file + ": " + child.output.substr(sizeof head));
 
   ReadMesh out;
   out.metres_per_unit = collada ? colladaUnit(bytes) : unitNamedIn(commentsOf(text));
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], file, &out.mesh);
+  out.mesh = meshIn(child.output, head, file);
   return out;
 }
 

@@ -14,32 +14,55 @@ std::string place(const YAML::Mark& mark) {
   return mark.is_null() ? "" : " (line " + std::to_string(mark.line + 1) + ")";
 }
 
-OptionTree convert(const YAML::Node& node, const std::string& parent) {
-  switch (node.Type()) {
-    case YAML::NodeType::Scalar:
-      return OptionTree::ofScalar(node.Scalar(), node.Tag() == "!");
-    case YAML::NodeType::Sequence: {
-      OptionTree tree = OptionTree::ofList();
-      for (const YAML::Node& item : node) tree.list.push_back(convert(item, parent));
-      return tree;
+constexpr int kDeepest = 100;
+constexpr size_t kMostValues = 1000000;
+
+/// Turns YAML into a tree. Aliases (*name) become copies of what they name, which may be the list or map they
+/// stand in: then there is no end, and doubled often enough none that memory holds.
+class Converter {
+ public:
+  OptionTree convert(const YAML::Node& node, const std::string& name, int depth = 0) {
+    if (depth > kDeepest)
+      throw BadInput("'" + name.substr(0, 60) + "' is nested more than " + std::to_string(kDeepest) +
+                     " levels deep; does an alias (*name) stand in what it names?" + place(node.Mark()));
+    if (++values_ > kMostValues)
+      throw BadInput("there are more than " + std::to_string(kMostValues) +
+                     " values; do aliases (*name) double what they name?" + place(node.Mark()));
+    switch (node.Type()) {
+      case YAML::NodeType::Scalar:
+        return OptionTree::ofScalar(node.Scalar(), node.Tag() == "!");
+      case YAML::NodeType::Sequence:
+        return ofList(node, name, depth);
+      case YAML::NodeType::Map:
+        return ofMap(node, name, depth);
+      default:
+        return {};
     }
-    case YAML::NodeType::Map: {
-      OptionTree tree = OptionTree::ofMap();
-      for (const auto& entry : node) {
-        if (!entry.first.IsScalar())
-          throw BadInput("a key" + (parent.empty() ? "" : " of '" + parent + "'") + " is not a plain name" +
-                         place(entry.first.Mark()));
-        const std::string key = entry.first.Scalar();
-        const std::string name = parent.empty() ? key : parent + "." + key;
-        if (tree.find(key)) throw BadInput("'" + name + "' stands twice" + place(entry.first.Mark()));
-        tree.map.emplace_back(key, convert(entry.second, name));
-      }
-      return tree;
-    }
-    default:
-      return {};
   }
-}
+
+ private:
+  OptionTree ofList(const YAML::Node& node, const std::string& name, int depth) {
+    OptionTree tree = OptionTree::ofList();
+    for (const YAML::Node& item : node) tree.list.push_back(convert(item, name, depth + 1));
+    return tree;
+  }
+
+  OptionTree ofMap(const YAML::Node& node, const std::string& parent, int depth) {
+    OptionTree tree = OptionTree::ofMap();
+    for (const auto& entry : node) {
+      if (!entry.first.IsScalar())
+        throw BadInput("a key" + (parent.empty() ? "" : " of '" + parent + "'") + " is not a plain name" +
+                       place(entry.first.Mark()));
+      const std::string key = entry.first.Scalar();
+      const std::string name = parent.empty() ? key : parent + "." + key;
+      if (tree.find(key)) throw BadInput("'" + name + "' stands twice" + place(entry.first.Mark()));
+      tree.map.emplace_back(key, convert(entry.second, name, depth + 1));
+    }
+    return tree;
+  }
+
+  size_t values_ = 0;
+};
 
 // A plain scalar that YAML reads as the same text, in any context.
 bool plain(const std::string& text) {
@@ -121,7 +144,7 @@ void emit(const OptionTree& tree, const std::string& indent, std::string* out) {
 
 OptionTree parseYaml(const std::string& text, const std::string& source) {
   try {
-    return convert(YAML::Load(text), "");
+    return Converter().convert(YAML::Load(text), "");
   } catch (const BadInput& e) {
     throw BadInput(source + ": " + e.what());
   } catch (const YAML::Exception& e) {

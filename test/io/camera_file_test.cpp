@@ -90,6 +90,7 @@ TEST_F(CameraFiles, BadOnesNameFileAndField) {
   refused("just text", {"no camera calibration", "ost.ini"});
   refused("[1, 2, 3]", {"no camera calibration"});
   refused("image_width: [", {"line 1", "not YAML"});
+  refused("image_width: 640\ncamera: &a {intrinsics: *a}", {"line 2", "nested too deeply"});
   refused(replaced("image_width: 640\n", ""), {"image_width", "missing"});
   refused(replaced("image_height: 480\n", ""), {"image_height", "missing"});
   refused(replaced("image_width: 640", "image_width: wide"), {"image_width", "wide"});

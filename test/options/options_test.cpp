@@ -206,6 +206,13 @@ TEST(Yaml, broken_input_is_refused_with_its_source_and_line) {
   EXPECT_THAT(message("a: 1\nb: [1, 2"), StartsWith("x.yaml: not valid YAML: "));
   EXPECT_EQ(message("a: 1\nb: {c: 1, c: 2}"), "x.yaml: 'b.c' stands twice (line 2)");
   EXPECT_EQ(message("[1, 2]: 3"), "x.yaml: a key is not a plain name (line 1)");
+  EXPECT_THAT(message("a: 1\nb: &x {c: *x}"), HasSubstr("nested more than 100 levels"));
+  std::string doubled = "a0: &a0 [1, 1]\n";
+  for (int k = 1; k < 30; ++k) {
+    const std::string last = "*a" + std::to_string(k - 1), name = "a" + std::to_string(k);
+    doubled += name + ": &" + name + " [" + last + ", " + last + "]\n";
+  }
+  EXPECT_THAT(message(doubled), HasSubstr("more than 1000000 values"));
 }
 
 TEST(Yaml, files) {
