@@ -11,7 +11,6 @@
 
 namespace monocular_eye_hand {
 
-
 /// The objects of one image. Throws BadInput naming the object and what is wrong with it: a name that is not
 /// in the model base, a pose, quaternion, covariance or probability that is none.
 std::vector<SeenObject> toSeenObjects(const RecognizedObjectArray& array, const ModelBase& models);
