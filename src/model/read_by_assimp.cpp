@@ -37,7 +37,24 @@ std::string commentsOf(const std::string& obj) {
   return out;
 }
 
-bool isWhole(const std::string& word) {
+/// The text without its libraries of materials, which the part does not need: assimp would look for them in
+/// the working folder, and sort the triangles in another way when it finds them.
+std::string withoutMaterials(const std::string& obj) {
+  const std::string word = "mtllib";
+  std::string out;
+  out.reserve(obj.size());
+  for (size_t at = 0; at < obj.size();) {
+    const size_t end = std::min(obj.find('\n', at), obj.size() - 1) + 1;
+    const bool names_one = obj.compare(at, word.size(), word) == 0;
+    out += names_one ? "#" : "";
+    at += names_one ? word.size() : 0;
+    out.append(obj, at, end - at);
+    at = end;
+  }
+  return out;
+}
+
+bool isWholeNumber(const std::string& word) {
   const size_t first = word[0] == '-' ? 1 : 0;
   return first < word.size() && word.find_first_not_of("0123456789", first) == std::string::npos;
 }
@@ -60,7 +77,7 @@ void requireNumbers(const std::string& collada, const std::string& file) {
       const size_t end = std::min(collada.find('<', begin), collada.size());
       std::istringstream words(collada.substr(begin + 1, end - begin - 1));
       for (std::string word; words >> word;) {
-        if (tag == "float_array" ? !isReal(word) : !isWhole(word))
+        if (tag == "float_array" ? !isReal(word) : !isWholeNumber(word))
           throw BadInput(file + ": a list <" + tag + "> holds \"" + word.substr(0, 24) +
                          "\", which is no number: the file is damaged, export it again");
       }
@@ -145,7 +162,7 @@ ReadMesh readByAssimp(const std::string& bytes, const std::string& file, const s
   const bool collada = extension == "dae";
   const std::string text = collada ? withoutUnit(bytes) : withLineFeeds(bytes);
   if (collada) requireNumbers(text, file);
-  const ChildResult child = runReader(text, file, extension, limits);
+  const ChildResult child = runReader(collada ? text : withoutMaterials(text), file, extension, limits);
   AssimpAnswerHead head;
   if (!isWhole(child.output, &head)) throw BadInput(file + ": " + assimpProblem(child.status, limits));
   if (head.outcome == AssimpOutcome::kRefused) throw BadInput(file + ": " + child.output.substr(sizeof head));
