@@ -36,6 +36,7 @@ TEST(RecognitionOptions, a_value_out_of_range_is_named_with_its_value_and_the_ru
                                                     {"time_limit", "-2", "negative"},
                                                     {"accept_probability", "1", "(0, 1)"},
                                                     {"accept_probability", "0", "(0, 1)"},
+                                                    {"rest_log_odds", "-0.5", "negative"},
                                                     {"ambiguous_ratio", "0", "(0, 1]"},
                                                     {"ambiguous_ratio", "1.25", "(0, 1]"}};
   for (const auto& [field, value, rule] : bad) {
@@ -82,6 +83,7 @@ TEST(RecognitionOptions, every_field_is_written_and_read_back) {
   options.budget = 5000;
   options.time_limit = 2;
   options.accept_probability = 0.6;
+  options.rest_log_odds = 1;
   options.ambiguous_ratio = 0.4;
   const OptionTree written = writeOptions(options);
   RecognitionOptions again;
