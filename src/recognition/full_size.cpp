@@ -12,7 +12,7 @@ namespace {
 constexpr int kRivals = 4;           // of each chosen candidate looked at in full
 constexpr size_t kMostJudged = 100;  // candidates looked at in full
 constexpr size_t kCompared = 10;     // of the best candidates tell which size resolves the contours better
-constexpr double kMuchLess = 0.85;   // of the hits: the full image is too blurred
+constexpr double kClear = 6;         // log-odds: surer ones, and more hopeless ones, tell no more of it
 
 // The chosen candidates with their first rivals, the best ranks first.
 std::vector<int> worthAFullLook(const std::vector<Candidate>& candidates,
@@ -31,16 +31,25 @@ std::vector<int> worthAFullLook(const std::vector<Candidate>& candidates,
   return worth;
 }
 
-// How well the best candidates' contours are seen.
-double resolved(const std::vector<Candidate>& candidates) {
-  std::vector<size_t> order(candidates.size());
-  for (size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return candidates[a].probability > candidates[b].probability; });
-  double sum = 0;
-  const size_t count = std::min(kCompared, order.size());
-  for (size_t k = 0; k < count; ++k) sum += candidates[order[k]].terms.hit_ratio;
-  return count ? sum / double(count) : 0;
+// What the small and the full image say for a candidate [log-odds].
+struct Said {
+  double small, full;
+};
+
+double clearlyFor(const Candidate& candidate, const DecisionWeights& weights) {
+  return std::clamp(ownLogOdds(candidate, weights), -kClear, kClear);
+}
+
+// Whether the full image says more for the best candidates. One that is blurred, or was enlarged, says less:
+// its edges are fainter and lie farther off, in its pixels.
+bool fullSaysMore(std::vector<Said> said) {
+  const auto best = [](const Said& s) { return std::max(s.small, s.full); };
+  std::stable_sort(said.begin(), said.end(), [&](const Said& a, const Said& b) { return best(a) > best(b); });
+  if (said.size() > kCompared) said.resize(kCompared);
+
+  double gain = 0;
+  for (const Said& s : said) gain += s.full - s.small;
+  return gain >= 0;
 }
 
 }  // namespace
@@ -58,19 +67,22 @@ std::optional<FullSize> judgeInFull(const SearchTask& task, const ModelBase& bas
         withGroupings(withFeatures(grey, camera, task.options.features), base, task.options.grouping));
     report->counts["edge points"] = double(full.image.features.points.size());
 
-    const SearchTask in_full{full.image, task.models, task.wanted, task.options};
-    std::vector<Candidate> before;
+    const SearchTask in_full{full.image, task.models, task.wanted, task.options, nullptr, task.support};
+    std::vector<Said> said;
     for (int index : worthAFullLook(candidates, chosen)) {
       const Candidate& small = candidates[size_t(index)];
       std::optional<Candidate> candidate = alignedCandidate(
           in_full, small.object, small.pose.camera_from_object, {1.5 * scale, scale, 1.5}, full.candidates);
       report->counts["verified"] += candidate.has_value();
-      if (!candidate || !bearsOut(in_full, &*candidate)) continue;
+      if (!candidate) continue;
+      said.push_back({clearlyFor(small, task.options.decision), -kClear});
+      if (!bearsOut(in_full, &*candidate)) continue;
+
+      said.back().full = clearlyFor(*candidate, task.options.decision);
       candidate->kind = small.kind;
       full.candidates.push_back(std::move(*candidate));
-      before.push_back(small);
     }
-    if (resolved(full.candidates) < kMuchLess * resolved(before)) return std::nullopt;
+    if (!fullSaysMore(said)) return std::nullopt;
     return full;
   });
 }
