@@ -162,5 +162,29 @@ TEST(FullSize, what_was_searched_at_half_size_is_decided_in_full) {
   EXPECT_GT(best.bounding_box.area(), 0);
 }
 
+// How many of the picture's objects are found within 4 px of its own size.
+int foundOf(const Picture& picture, int enlarged) {
+  const Camera camera = picture.camera.resized(enlarged);
+  cv::Mat grey;
+  cv::resize(picture.grey, grey, cv::Size(camera.width, camera.height), 0, 0, cv::INTER_LINEAR);
+  const RecognitionResult result = shippedRecognizer().recognize(grey, camera);
+  int found = 0;
+  for (const TruthObject& truth : picture.truth)
+    found += std::any_of(result.objects.begin(), result.objects.end(), [&](const ObjectEstimate& object) {
+      return object.name == truth.name && poseError(shippedModel(object.name), picture.camera,
+                                                    object.camera_from_object, truth.camera_from_object)
+                                                  .image < 4;
+    });
+  return found;
+}
+
+TEST(FullSize, is_not_taken_where_it_resolves_no_more_than_half_of_it) {
+  for (const char* name : {"demo/two_bridges_and_grenade", "demo/frame_and_flange"}) {
+    const Picture picture = shippedPicture(name);
+    ASSERT_GT(foundOf(picture, 1), 1) << name;
+    EXPECT_GE(foundOf(picture, 2), foundOf(picture, 1)) << name;
+  }
+}
+
 }  // namespace
 }  // namespace monocular_eye_hand
