@@ -6,9 +6,9 @@
 #include <system_error>
 #include <thread>
 
-#include "child_process.h"
 #include "mesh_file.h"
-#include "mesh_readers.h"
+#include "model/child_process.h"
+#include "model/mesh_readers.h"
 
 namespace monocular_eye_hand {
 namespace {
