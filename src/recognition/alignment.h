@@ -9,10 +9,6 @@
 
 namespace monocular_eye_hand {
 
-/// Ranges within which the coarse alignment of a hypothesis seeks edge points, round after round [px]: of one
-/// that may be far off, and of one that is near already, which wide ranges may draw to the edges beside it.
-inline const std::vector<double> kWideRanges{10, 8, 6, 4, 3};
-inline const std::vector<double> kNearRanges{4, 3};
 /// Ranges within which the fine alignment of a hypothesis seeks edge points, round after round [px].
 inline const std::vector<double> kFineRanges{6.0, 4.0, 2.5, 1.5};
 /// Distance between the contour samples of a fine alignment [px].
@@ -30,8 +26,7 @@ struct ViewedPose {
 
 /// Moves a hypothesis onto the edges with the precomputed contour of its nearest view: cheap, wide basin. The
 /// view follows the pose. Nothing when the pose escapes or too little of it is answered.
-std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchImage& image, ViewedPose start,
-                                        const std::vector<double>& ranges = kWideRanges);
+std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchImage& image, ViewedPose start);
 
 /// Refines on the exact visible contour, hidden lines removed, re-associated with shrinking range [px];
 /// `step`: distance between contour samples [px].

@@ -25,36 +25,24 @@ struct AlignedHypothesis {
   Eigen::Vector2d centre;  // of the object, in the image [uv_rect px]
 };
 
-// The hypothesis moved onto the edges, from afar or, where that makes it worse, from near; as it is, where
-// both make it worse.
-Hypothesis moved(const SearchTask& task, const SearchModel& model, const Hypothesis& start) {
-  Hypothesis best;
-  bool any = false;
-  for (const std::vector<double>* ranges : {&kWideRanges, &kNearRanges}) {
-    const std::optional<ViewedPose> to =
-        alignCoarsely(model, task.image, {start.camera_from_object, start.view}, *ranges);
-    if (!to) continue;
-
-    const CoarseScore score =
-        scorePose(model, to->view, to->camera_from_object, task.image.camera, task.image.map);
-    if (any && score.evidence <= best.evidence) continue;
-    best = {to->camera_from_object, to->view, score.evidence, score.in_frame, start.kind};
-    any = true;
-    if (best.evidence >= start.evidence) return best;
-  }
-  return any ? start : best;
-}
-
 // Moved onto the edges, the most telling first.
 std::vector<AlignedHypothesis> alignHypotheses(const SearchTask& task, const SearchModel& model,
                                                const std::vector<Hypothesis>& hypotheses,
                                                WorkBudget* budget) {
+  const SearchImage& image = task.image;
   std::vector<AlignedHypothesis> aligned;
-  for (const Hypothesis& start : hypotheses) {
+  for (Hypothesis h : hypotheses) {
     if (budget->outOfTime()) break;
-    const Hypothesis h = moved(task, model, start);
-    if (h.evidence < float(kMinEvidence) || h.in_frame < task.options.min_in_frame) continue;
-    aligned.push_back({h, task.image.camera.project(h.camera_from_object * model.model().centre())});
+    const std::optional<ViewedPose> moved = alignCoarsely(model, image, {h.camera_from_object, h.view});
+    if (!moved) continue;
+
+    const auto& [pose, view] = *moved;
+    const CoarseScore score = scorePose(model, view, pose, image.camera, image.map);
+    if (score.evidence < float(kMinEvidence) || score.in_frame < task.options.min_in_frame) continue;
+    h.camera_from_object = pose;
+    h.view = view;
+    h.evidence = score.evidence;
+    aligned.push_back({h, image.camera.project(pose * model.model().centre())});
   }
   std::stable_sort(aligned.begin(), aligned.end(), [](const auto& a, const auto& b) {
     return a.hypothesis.evidence > b.hypothesis.evidence;
