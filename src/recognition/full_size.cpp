@@ -12,7 +12,8 @@ namespace {
 constexpr int kRivals = 4;           // of each chosen candidate looked at in full
 constexpr size_t kMostJudged = 100;  // candidates looked at in full
 constexpr size_t kCompared = 10;     // of the best candidates tell which size resolves the contours better
-constexpr double kClear = 6;         // log-odds: surer ones, and more hopeless ones, tell no more of it
+constexpr double kLikely = 0;        // log-odds, at either size: what is wrong at both tells nothing
+constexpr double kClear = 3;         // log-odds: surer is no better resolved
 
 // The chosen candidates with their first rivals, the best ranks first.
 std::vector<int> worthAFullLook(const std::vector<Candidate>& candidates,
@@ -40,10 +41,12 @@ double clearlyFor(const Candidate& candidate, const DecisionWeights& weights) {
   return std::clamp(ownLogOdds(candidate, weights), -kClear, kClear);
 }
 
-// Whether the full image says more for the best candidates. One that is blurred, or was enlarged, says less:
-// its edges are fainter and lie farther off, in its pixels.
+// Whether the full image says no less for the best candidates. One that is blurred, or was enlarged, says
+// less: its edges are fainter and lie farther off, in its pixels.
 bool fullSaysMore(std::vector<Said> said) {
   const auto best = [](const Said& s) { return std::max(s.small, s.full); };
+  said.erase(std::remove_if(said.begin(), said.end(), [&](const Said& s) { return best(s) < kLikely; }),
+             said.end());
   std::stable_sort(said.begin(), said.end(), [&](const Said& a, const Said& b) { return best(a) > best(b); });
   if (said.size() > kCompared) said.resize(kCompared);
 

@@ -63,17 +63,6 @@ TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent)
   EXPECT_GE(fine, 18);
 }
 
-TEST_P(Alignment, coarse_from_near_stays_where_it_is_right) {
-  std::mt19937 random(9);
-  for (int i = 0; i < 10; ++i) {
-    ViewedPose start;
-    start.camera_from_object = model_.canonical(perturbedTruth(0.01, 1.5, 0.01, &random), &start.view);
-    const std::optional<ViewedPose> moved = alignCoarsely(model_, image_, start, kNearRanges);
-    ASSERT_TRUE(moved);
-    EXPECT_LT(imageError(moved->camera_from_object), 3.5);
-  }
-}
-
 TEST_P(Alignment, fine_alone_is_exact_from_nearby_and_knows_its_certainty) {
   std::mt19937 random(8);
   for (int i = 0; i < 5; ++i) {
