@@ -4,8 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "monocular_eye_hand/geometry/length_text.h"
 #include "monocular_eye_hand/model/solid.h"
 
 namespace monocular_eye_hand {
@@ -13,12 +13,6 @@ namespace {
 
 constexpr double kMostSamples = 1000;  // of a box
 constexpr double kMostShrunk = 0.7;    // share of a box's half sides that a tolerance takes at most
-
-std::string millimetres(double metres) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f mm", 1e3 * metres);
-  return text;
-}
 
 /// Sigma of the height of a point of the object: a small turn lifts it by its lever arm.
 double sigmaOfHeight(const Eigen::Vector3d& offset, const Matrix6d& covariance) {
@@ -37,7 +31,8 @@ std::string belowTable(const ObjectModel& model, const Rigid3& base_from_object,
     if (depth > allowed) deepest = std::max(deepest, depth);
   }
   if (deepest <= 0) return "";
-  return "reaches " + millimetres(deepest) + " below the table's top (z = " + millimetres(table_height) + ")";
+  return "reaches " + millimetresText(deepest) +
+         " below the table's top (z = " + millimetresText(table_height) + ")";
 }
 
 /// Points of a regular grid in a box around the origin.

@@ -113,16 +113,19 @@ Eigen::Vector3d centreOfMass(const Mesh& mesh) {
 std::vector<StablePose> stablePoses(const Mesh& mesh) {
   const Points all = distinctVertices(mesh);
   if (all.size() < 4) throw BadInput("stable poses: the mesh is empty or flat");
+
   const Points points = extremePoints(all, 4000);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points) box.extend(p);
   const double size = box.diagonal().norm();
   if (flat(points, 1e-4 * size)) throw BadInput("stable poses: the mesh is flat");
+
   // CAD faces put many points in one plane: a tiny seeded shake brings them into general position.
   Points shaken = points;
   Generator random(1);
   for (Eigen::Vector3d& p : shaken)
     for (int k = 0; k < 3; ++k) p[k] += random.uniform(-1e-5, 1e-5) * size;
+
   const std::vector<Eigen::Vector3d> normals = hullNormals(shaken);
   const Eigen::Vector3d com = centreOfMass(mesh, all);
   std::vector<StablePose> poses;
@@ -134,21 +137,25 @@ std::vector<StablePose> stablePoses(const Mesh& mesh) {
     if (std::any_of(downs.begin(), downs.end(),
                     [&](const Eigen::Vector3d& d) { return d.dot(down) > 0.99985; }))
       continue;
+
     const Eigen::Matrix3d rotation =
         Eigen::Quaterniond::FromTwoVectors(down, -Eigen::Vector3d::UnitZ()).toRotationMatrix();
     double lowest = 1e300;
     for (const Eigen::Vector3d& p : points) lowest = std::min(lowest, (rotation * p).z());
+
     std::vector<Eigen::Vector2d> support;
     for (const Eigen::Vector3d& p : points)
       if ((rotation * p).z() < lowest + 2 * thickness) support.push_back((rotation * p).head<2>());
     const Eigen::Vector3d centre = rotation * com;
     const double margin = insideBy(planarHull(support), centre.head<2>());
     if (margin < 1e-3 * size) continue;
+
     downs.push_back(down);
     const double weight = std::atan2(margin, centre.z() - lowest);  // angle to topple
     poses.push_back({{rotation, {-centre.x(), -centre.y(), -lowest}}, weight});
     sum += weight;
   }
+
   if (poses.empty()) throw BadInput("stable poses: the mesh is flat");
   for (StablePose& pose : poses) pose.weight /= sum;
   std::stable_sort(poses.begin(), poses.end(),

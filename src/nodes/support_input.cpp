@@ -24,12 +24,9 @@ std::optional<SupportPlane> SupportInput::at(const std_msgs::Header& image) {
   if (!transforms_) return std::nullopt;
   // tf's own wait ends by ROS time, which may stand.
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(parameters_.wait);
-  std::string problem;
-  while (!transforms_->buffer.canTransform(image.frame_id, parameters_.frame, image.stamp, &problem) &&
-         ros::WallTime::now() < end && ros::ok()) {
-    problem.clear();
+  while (!transforms_->buffer.canTransform(image.frame_id, parameters_.frame, image.stamp) &&
+         ros::WallTime::now() < end && ros::ok())
     ros::WallDuration(kPoll).sleep();
-  }
 
   try {
     const auto transform =

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "recognition/logistic.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -28,8 +30,6 @@ int commonCount(const std::vector<int>& a, const std::vector<int>& b) {
   }
   return n;
 }
-
-double logistic(double log_odds) { return 1 / (1 + std::exp(-std::clamp(log_odds, -50.0, 50.0))); }
 
 // Whether nothing that is drawn within one box can share cells or edge points with the other: neither box is
 // known to be empty, and a cell lies between them.

@@ -7,13 +7,12 @@
 #include "decision_yaml.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
+#include "recognition/logistic.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 constexpr double kSurest = 7;  // log-odds
-
-double logistic(double log_odds) { return 1 / (1 + std::exp(-std::clamp(log_odds, -50.0, 50.0))); }
 
 }  // namespace
 

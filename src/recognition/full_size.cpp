@@ -43,7 +43,7 @@ double clearlyFor(const Candidate& candidate, const DecisionWeights& weights) {
 
 // Whether the full image says no less for the best candidates. One that is blurred, or was enlarged, says
 // less: its edges are fainter and lie farther off, in its pixels.
-bool fullSaysMore(std::vector<Said> said) {
+bool fullSaysNoLess(std::vector<Said> said) {
   const auto best = [](const Said& s) { return std::max(s.small, s.full); };
   said.erase(std::remove_if(said.begin(), said.end(), [&](const Said& s) { return best(s) < kLikely; }),
              said.end());
@@ -85,7 +85,7 @@ std::optional<FullSize> judgeInFull(const SearchTask& task, const ModelBase& bas
       candidate->kind = small.kind;
       full.candidates.push_back(std::move(*candidate));
     }
-    if (!fullSaysMore(said)) return std::nullopt;
+    if (!fullSaysNoLess(said)) return std::nullopt;
     return full;
   });
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/length_text.h"
 #include "monocular_eye_hand/model/stable_poses.h"
 
 namespace monocular_eye_hand {
@@ -13,11 +13,10 @@ namespace {
 
 constexpr double kSigmas = 3;        // of a pose's height below which it contradicts the plane
 constexpr double kRuledOut = -1000;  // log-odds that nothing outweighs
-constexpr double kSigmaOfTilt =
-    0.04;  // of a part that rests, beside the pose's own: dirt, burrs, the table [rad]
-constexpr double kWidestTilt =
-    0.1;  // a pose whose rotation is less certain is not taken to rest farther off [rad]
-constexpr double kWidestGap = 0.01;  // ... and one whose height is [m]
+// Of a part that rests, beside the pose's own: dirt, burrs, the table [rad].
+constexpr double kSigmaOfTilt = 0.04;
+// A pose whose rotation or height is less certain is not taken to rest farther off [rad], [m].
+constexpr double kWidestTilt = 0.1, kWidestGap = 0.01;
 
 double squared(double x) { return x * x; }
 
@@ -73,12 +72,6 @@ double sigmaOfTilt(const SupportPlane& plane, const RefinedPose& pose) {
   return std::sqrt(std::max({0.0, side.dot(rotation * side), other.dot(rotation * other)}));
 }
 
-std::string millimetres(double metres) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f mm", 1e3 * metres);
-  return text;
-}
-
 }  // namespace
 
 std::vector<Eigen::Vector3d> directionsUpAtRest(const ObjectModel& model) {
@@ -98,7 +91,7 @@ SupportEvidence evidenceOfSupport(const Support& support, int object, const Obje
   const Height lowest = lowestHeight(plane, model, pose);
   SupportEvidence evidence;
   if (lowest.value < -plane.tolerance - kSigmas * lowest.sigma) {
-    evidence.refused = "reaches " + millimetres(-lowest.value) + " below the support plane";
+    evidence.refused = "reaches " + millimetresText(-lowest.value) + " below the support plane";
     evidence.log_odds = kRuledOut;
     return evidence;
   }
