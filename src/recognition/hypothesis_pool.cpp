@@ -31,8 +31,9 @@ void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const Evidence
   note(task_, SearchStage::kGenerated, object_, pose);
   const Eigen::Vector3d centre = pose * model_.model().centre();
   const double distance = centre.norm();
-  if (!(centre.z() > 0) || distance < options_.min_distance || distance > options_.max_distance) return;
-  if (model_.model().diameter * camera_.fx / distance < options_.min_size) return;
+  const double diameter = model_.model().diameter;
+  if (!(centre.z() > 0) || distance < options_.nearest(diameter) || distance > options_.max_distance) return;
+  if (diameter * camera_.fx / distance < options_.min_size) return;
   const Eigen::Vector2d uv = camera_.project(centre);
   const int x = int(std::floor(uv.x() / kCellSize)) + 1, y = int(std::floor(uv.y() / kCellSize)) + 1;
   if (x < 0 || y < 0 || x >= cells_x_ || y >= cells_y_) return;

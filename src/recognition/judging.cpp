@@ -89,7 +89,8 @@ std::optional<Candidate> alignedCandidate(const SearchTask& task, int object, co
   candidate.pose.camera_from_object = model.canonical(candidate.pose.camera_from_object, &candidate.view);
   const Rigid3& pose = candidate.pose.camera_from_object;
   const double distance = (pose * model.model().centre()).norm();
-  if (distance < task.options.min_distance || distance > task.options.max_distance) return std::nullopt;
+  if (distance < task.options.nearest(model.model().diameter) || distance > task.options.max_distance)
+    return std::nullopt;
   if (!model.seenFromOutside(pose) || isKnown(task, object, pose, known, kSameEnd)) return std::nullopt;
   return candidate;
 }

@@ -18,10 +18,11 @@ double searchedFocal(const Camera& camera, const RecognitionOptions& options) {
 std::string warningFor(const ObjectModel& model, const Camera& camera, const RecognitionOptions& options) {
   const std::string size = model.name + ": its diameter is " + plainNumber(1000 * model.diameter) + " mm, ";
   const std::string cure = ": is the unit of its mesh right? Else change ";
-  const double nearest = model.diameter * searchedFocal(camera, options) / options.min_distance;
-  if (nearest < options.min_size)
+  const double nearest = options.nearest(model.diameter);
+  const double largest = model.diameter * searchedFocal(camera, options) / nearest;
+  if (largest < options.min_size)
     return size + "which at min_distance (" + plainNumber(options.min_distance) + " m) is " +
-           plainNumber(nearest) + " px of min_size (" + plainNumber(options.min_size) +
+           plainNumber(largest) + " px of min_size (" + plainNumber(options.min_size) +
            " px), so it is never found" + cure + "min_distance or min_size, or take a longer lens";
 
   const double shown = options.max_distance * std::hypot(camera.width / camera.fx, camera.height / camera.fy);

@@ -276,6 +276,12 @@ INSTANTIATE_TEST_SUITE_P(Pictures, JudgedOn,
                          testing::Values("demo/two_bridges_and_grenade", "demo/nothing_known"),
                          [](const auto& info) { return std::string(info.param).substr(5); });
 
+TEST(Options, nothing_is_looked_for_nearer_than_its_diameter) {
+  RecognitionOptions options;
+  EXPECT_EQ(options.nearest(0.02), options.min_distance);
+  EXPECT_EQ(options.nearest(0.3), 0.3);
+}
+
 TEST(Options, distances_and_sizes_that_are_not_considered_are_not_found) {
   const Picture picture = shippedPicture("golden/grenade");  // stands at 0.45 m
   RecognitionOptions far;

@@ -34,21 +34,22 @@ TEST(SizeCheck, PartsThatCanBeSeenAreFine) {
 }
 
 TEST(SizeCheck, WrongUnitsAreNoticed) {
-  // 80 mm read as 80 m and as 0.08 mm; a washer of 8 mm.
+  // 80 mm read as 80 m and as 0.08 mm; a washer of 2 mm.
   EXPECT_THAT(sizeWarnings(partOf(80), camera(640, 700), {}),
               ElementsAre(AllOf(HasSubstr("part: "), HasSubstr("max_distance (2.5 m)"), HasSubstr("unit"))));
   EXPECT_THAT(sizeWarnings(partOf(8e-5), camera(640, 700), {}),
-              ElementsAre(AllOf(HasSubstr("min_distance (0.25 m)"), HasSubstr("min_size (32 px)"))));
-  EXPECT_THAT(sizeWarnings(partOf(0.008), camera(640, 700), {}).size(), 1u);
+              ElementsAre(AllOf(HasSubstr("min_distance (0.05 m)"), HasSubstr("min_size (32 px)"))));
+  EXPECT_THAT(sizeWarnings(partOf(0.002), camera(640, 700), {}).size(), 1u);
 }
 
 TEST(SizeCheck, FollowsCameraAndOptions) {
-  EXPECT_THAT(sizeWarnings(partOf(0.008), camera(640, 2000), {}), IsEmpty());
+  EXPECT_THAT(sizeWarnings(partOf(0.002), camera(640, 2000), {}), IsEmpty());
   // Wide images are searched at half size.
-  EXPECT_THAT(sizeWarnings(partOf(0.008), camera(1280, 1400), {}).size(), 1u);
-  RecognitionOptions near;
-  near.min_distance = 0.1;
-  EXPECT_THAT(sizeWarnings(partOf(0.008), camera(640, 700), near), IsEmpty());
+  EXPECT_THAT(sizeWarnings(partOf(0.002), camera(1280, 1400), {}).size(), 1u);
+  RecognitionOptions far;
+  far.min_distance = 0.25;
+  EXPECT_THAT(sizeWarnings(partOf(0.008), camera(640, 700), far).size(), 1u);
+  EXPECT_THAT(sizeWarnings(partOf(0.008), camera(640, 700), {}), IsEmpty());
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/recognition/decision_weights.h"
@@ -10,7 +12,7 @@ struct RecognitionOptions {
   FeatureOptions features;
   GroupingOptions grouping;
   DecisionWeights decision = fittedWeights();
-  double min_distance = 0.25;  ///< nearest object centre considered [m]
+  double min_distance = 0.05;  ///< nearest object centre considered [m]; none nearer than its diameter
   double max_distance = 2.5;   ///< farthest object centre considered [m]
   double min_size = 32.0;      ///< smallest image of an object's diameter considered [px]
   double min_in_frame = 0.4;   ///< smallest share of an object's contour inside the image
@@ -41,6 +43,8 @@ struct RecognitionOptions {
     v("rest_log_odds", rest_log_odds);
     v("ambiguous_ratio", ambiguous_ratio);
   }
+  /// Nearest distance at which an object of this diameter is considered [m].
+  double nearest(double diameter) const { return std::max(min_distance, diameter); }
   void check() const;  ///< throws BadInput naming field, value and rule
 };
 
