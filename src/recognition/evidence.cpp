@@ -84,20 +84,25 @@ cv::Mat rectifiedGrey(const cv::Mat& grey, const Camera& camera, const RectDomai
   return out;
 }
 
+EvidencePlanes::EvidencePlanes(int width, int height)
+    : width_(width),
+      height_(height),
+      tiles_x_((unsigned(width) + kTile - 1) / kTile),
+      tiles_y_((unsigned(height) + kTile - 1) / kTile),
+      values_(size_t(kOrientationBins) * tiles_x_ * tiles_y_ * kTile * kTile, kOutside) {}
+
 EvidenceMap::EvidenceMap(const FeatureSet& features, const RectDomain& domain)
     : u0_(domain.u0),
       v0_(domain.v0),
-      width_(domain.width),
-      height_(domain.height),
-      half_width_((domain.width + 1) / 2),
-      half_height_((domain.height + 1) / 2),
-      full_(size_t(kOrientationBins) * width_ * height_),
-      half_(size_t(kOrientationBins) * half_width_ * half_height_) {
+      full_(domain.width, domain.height),
+      half_((domain.width + 1) / 2, (domain.height + 1) / 2) {
+  const int width = domain.width;
+  const int height = domain.height;
   std::vector<cv::Mat> edges(kOrientationBins);
-  for (cv::Mat& mask : edges) mask = cv::Mat::zeros(height_, width_, CV_8U);
+  for (cv::Mat& mask : edges) mask = cv::Mat::zeros(height, width, CV_8U);
   for (const EdgePoint& point : features.points) {
     const int x = int(std::lround(point.uv.x())) - u0_, y = int(std::lround(point.uv.y())) - v0_;
-    if (unsigned(x) >= unsigned(width_) || unsigned(y) >= unsigned(height_)) continue;
+    if (unsigned(x) >= unsigned(width) || unsigned(y) >= unsigned(height)) continue;
     double angle =
         std::atan2(point.normal.x(), -point.normal.y());  // of the edge: normal turned by 90 degrees
     if (angle < 0) angle += M_PI;
@@ -106,7 +111,7 @@ EvidenceMap::EvidenceMap(const FeatureSet& features, const RectDomain& domain)
     edges[(low + 1) % kOrientationBins].at<uint8_t>(y, x) = 255;
   }
 
-  const int blocks_x = (width_ + kBlock - 1) / kBlock, blocks_y = (height_ + kBlock - 1) / kBlock;
+  const int blocks_x = (width + kBlock - 1) / kBlock, blocks_y = (height + kBlock - 1) / kBlock;
   std::vector<Histogram> counts(size_t(blocks_x) * blocks_y);
   std::vector<std::array<int8_t, kClasses>> tables(counts.size());
   for (int bin = 0; bin < kOrientationBins; ++bin) {
@@ -116,10 +121,10 @@ EvidenceMap::EvidenceMap(const FeatureSet& features, const RectDomain& domain)
       for (int bx = 0; bx < blocks_x; ++bx) {
         Histogram& h = counts[size_t(by) * blocks_x + bx];
         h.fill(0);
-        for (int y = by * kBlock; y < std::min(height_, (by + 1) * kBlock); ++y) {
+        for (int y = by * kBlock; y < std::min(height, (by + 1) * kBlock); ++y) {
           const uint8_t* row = classes.ptr<uint8_t>(y);
           const uint8_t* valid = domain.valid.empty() ? nullptr : domain.valid.ptr<uint8_t>(y);
-          for (int x = bx * kBlock; x < std::min(width_, (bx + 1) * kBlock); ++x)
+          for (int x = bx * kBlock; x < std::min(width, (bx + 1) * kBlock); ++x)
             if (!valid || valid[x]) h[row[x]] += 1;
         }
         for (int c = 0; c < kClasses; ++c) all[c] += h[c];
@@ -147,21 +152,16 @@ EvidenceMap::EvidenceMap(const FeatureSet& features, const RectDomain& domain)
         tables[size_t(by) * blocks_x + bx] = evidenceTable(local);
       }
 
-    int8_t* out = &full_[size_t(bin) * width_ * height_];
-    for (int y = 0; y < height_; ++y) {
+    for (int y = 0; y < height; ++y) {
       const uint8_t* row = classes.ptr<uint8_t>(y);
+      const uint8_t* valid = domain.valid.empty() ? nullptr : domain.valid.ptr<uint8_t>(y);
       const auto* table = &tables[size_t(y / kBlock) * blocks_x];
-      for (int x = 0; x < width_; ++x) out[size_t(y) * width_ + x] = table[x / kBlock][row[x]];
-      if (!domain.valid.empty()) {
-        const uint8_t* valid = domain.valid.ptr<uint8_t>(y);
-        for (int x = 0; x < width_; ++x)
-          if (!valid[x]) out[size_t(y) * width_ + x] = kOutside;
-      }
+      for (int x = 0; x < width; ++x)
+        if (!valid || valid[x]) full_.value(full_.index(bin, x, y)) = table[x / kBlock][row[x]];
     }
-    int8_t* half = &half_[size_t(bin) * half_width_ * half_height_];
-    for (int y = 0; y < half_height_; ++y)
-      for (int x = 0; x < half_width_; ++x)
-        half[size_t(y) * half_width_ + x] = out[size_t(2 * y) * width_ + 2 * x];
+    for (int y = 0; y < half_.height(); ++y)
+      for (int x = 0; x < half_.width(); ++x)
+        half_.value(half_.index(bin, x, y)) = full_.at(bin, 2 * x, 2 * y);
   }
 }
 

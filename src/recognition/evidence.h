@@ -46,6 +46,41 @@ constexpr float kEvidenceUnit = 16.0f;
 /// Value of map pixels outside the image.
 constexpr int8_t kOutside = -128;
 
+/// Evidence in units (kEvidenceUnit per nat), a plane for every orientation. It lies in tiles: what poses
+/// near each other ask for is near in memory, too.
+class EvidencePlanes {
+ public:
+  EvidencePlanes() = default;  ///< of no image: kOutside everywhere
+  EvidencePlanes(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Where `value` finds the evidence of a pixel; -1 beyond the image.
+  int index(int bin, int x, int y) const {
+    if (unsigned(x) >= unsigned(width_) || unsigned(y) >= unsigned(height_)) return -1;
+    const unsigned column = unsigned(x) / kTile;
+    const unsigned row = unsigned(y) / kTile;
+    const unsigned tile = (unsigned(bin) * tiles_y_ + row) * tiles_x_ + column;
+    return int((tile * kTile + unsigned(y) % kTile) * kTile + unsigned(x) % kTile);
+  }
+  int8_t value(int index) const { return values_[size_t(index)]; }
+  int8_t& value(int index) { return values_[size_t(index)]; }
+  /// Asks the memory for a value that is wanted soon.
+  void fetch(int index) const { __builtin_prefetch(&values_[size_t(index)]); }
+  /// The evidence of a pixel; kOutside beyond the image.
+  int8_t at(int bin, int x, int y) const {
+    const int place = index(bin, x, y);
+    return place < 0 ? kOutside : value(place);
+  }
+
+ private:
+  static constexpr unsigned kTile = 8;  // side of a tile, which fills a line of the cache [px]
+
+  int width_ = 0, height_ = 0;
+  unsigned tiles_x_ = 0, tiles_y_ = 0;
+  std::vector<int8_t> values_;
+};
+
 /// What a contour sample at a pixel with a direction says for (> 0) or against (< 0) an object there:
 /// log p(distance to the nearest edge of that direction | object) / p(... | background here), the background
 /// measured in a window around the pixel. One look-up per sample.
@@ -54,23 +89,16 @@ class EvidenceMap {
   EvidenceMap() = default;  ///< of no image: kOutside everywhere
   EvidenceMap(const FeatureSet& features, const RectDomain& domain);
 
-  int width() const { return width_; }
-  int height() const { return height_; }
+  /// The map pixel (0, 0) in the rectified image [px].
   int u0() const { return u0_; }
   int v0() const { return v0_; }
-  /// Evidence in units (kEvidenceUnit per nat); kOutside beyond the image. x, y: map pixels.
-  int8_t at(int bin, int x, int y) const {
-    if (unsigned(x) >= unsigned(width_) || unsigned(y) >= unsigned(height_)) return kOutside;
-    return full_[(size_t(bin) * height_ + y) * width_ + x];
-  }
-  /// Half-resolution maps, bin after bin: index (bin * halfHeight + y) * halfWidth + x.
-  const int8_t* half() const { return half_.data(); }
-  int halfWidth() const { return half_width_; }
-  int halfHeight() const { return half_height_; }
+  /// kOutside where the lens shows nothing.
+  const EvidencePlanes& full() const { return full_; }
+  const EvidencePlanes& half() const { return half_; }  ///< every second pixel of every second row
 
  private:
-  int u0_ = 0, v0_ = 0, width_ = 0, height_ = 0, half_width_ = 0, half_height_ = 0;
-  std::vector<int8_t> full_, half_;
+  int u0_ = 0, v0_ = 0;
+  EvidencePlanes full_, half_;
 };
 
 /// Finds the edge point that a predicted contour sample most likely produced.

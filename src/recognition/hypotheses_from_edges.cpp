@@ -12,6 +12,7 @@ constexpr int kPerCell = 24;
 // Flat evidence a candidate must have collected after 4, 8 and all samples, in map units.
 constexpr int kAfter4 = int(-1.5f * kEvidenceUnit), kAfter8 = int(0.0f * kEvidenceUnit);
 constexpr int kAfterAll = int(6.0f * kEvidenceUnit);
+constexpr int kNever = -10000;
 constexpr int kOutsideValue = -4;  // a sample beyond the image says little
 
 struct FlatCandidate {
@@ -33,26 +34,26 @@ std::array<uint8_t, 512> makeBinTable() {
   return table;
 }
 
-int flatEvidence(const Anchor& anchor, const Ruler& ruler, const EvidenceMap& map,
+int flatEvidence(const Anchor& anchor, const Ruler& ruler, const EvidencePlanes& map,
                  const std::array<uint8_t, 512>& bins) {
-  const int8_t* half = map.half();
-  const int w = map.halfWidth(), h = map.halfHeight();
-  const size_t plane = size_t(w) * h;
+  constexpr std::array<int, 3> kEnds{4, 8, Anchor::kSamples};
+  constexpr std::array<int, 3> kLeast{kAfter4, kAfter8, kNever};
+  std::array<int, Anchor::kSamples> places;
   int sum = 0;
-  for (int i = 0; i < Anchor::kSamples; ++i) {
-    const float u = ruler.px + ruler.dx * anchor.x[i] - ruler.dy * anchor.y[i];
-    const float v = ruler.py + ruler.dx * anchor.y[i] + ruler.dy * anchor.x[i];
-    int value = kOutsideValue;
-    if (u >= 0 && v >= 0) {
-      const int x = int(u), y = int(v);
-      if (x < w && y < h) {
-        const int8_t seen = half[plane * bins[anchor.angle[i] + ruler.turn] + size_t(y) * w + x];
-        value = seen == kOutside ? kOutsideValue : int(seen);  // NOLINT(bugprone-signed-char-misuse)
-      }
+  int first = 0;
+  for (size_t part = 0; part < kEnds.size(); ++part) {
+    // All places first, then their values: the memory answers many at a time.
+    for (int i = first; i < kEnds[part]; ++i) {
+      const float u = ruler.px + ruler.dx * anchor.x[i] - ruler.dy * anchor.y[i];
+      const float v = ruler.py + ruler.dx * anchor.y[i] + ruler.dy * anchor.x[i];
+      places[i] = u >= 0 && v >= 0 ? map.index(bins[anchor.angle[i] + ruler.turn], int(u), int(v)) : -1;
     }
-    sum += value;
-    if (i == 3 && sum < kAfter4) return -10000;
-    if (i == 7 && sum < kAfter8) return -10000;
+    for (int i = first; i < kEnds[part]; ++i) {
+      const int seen = places[i] < 0 ? kOutside : map.value(places[i]);
+      sum += seen == kOutside ? kOutsideValue : seen;
+    }
+    if (sum < kLeast[part]) return kNever;
+    first = kEnds[part];
   }
   return sum;
 }
@@ -123,7 +124,7 @@ void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
                                    [](const Anchor& a, float value) { return a.length < value; });
         for (; it != level.anchors.end() && it->length <= longest; ++it) {
           budget->count();
-          const int sum = flatEvidence(*it, ruler, image.map, kBins);
+          const int sum = flatEvidence(*it, ruler, image.map.half(), kBins);
           if (sum < kAfterAll) continue;
           FlatCandidate candidate;
           candidate.score = float(sum) * it->contour / it->length * float(length);

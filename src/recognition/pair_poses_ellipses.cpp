@@ -33,25 +33,41 @@ std::vector<Ellipse> variants(const Ellipse& seen) {
   return all;
 }
 
-// Pose with the circle's centre at `centre` and its axis along `normal`, turned by `roll` about it.
-Rigid3 poseOfCircle(const ModelCircle& circle, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal,
-                    double roll) {
-  Eigen::Matrix3d in_object, in_camera;
-  in_object << circle.x_axis, circle.axis.cross(circle.x_axis), circle.axis;
-  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-  const Eigen::Vector3d x = std::cos(roll) * u + std::sin(roll) * v;
-  in_camera << x, normal.cross(x), normal;
-  Rigid3 pose;
-  pose.rotation = in_camera * in_object.transpose();
-  pose.translation = centre - pose.rotation * circle.centre;
-  return pose;
-}
+// Poses with the circle's centre at `centre` and its axis along `normal`, that differ by the turn about it.
+class PosesOfCircle {
+ public:
+  PosesOfCircle(const ModelCircle& circle, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal)
+      : circle_(circle),
+        centre_(centre),
+        normal_(normal),
+        u_(normal.unitOrthogonal()),
+        v_(normal.cross(u_)) {}
 
-void turnAbout(const ObjectModel& model, const ModelCircle& circle, const Eigen::Vector3d& centre,
-               const Eigen::Vector3d& normal, std::vector<Rigid3>* poses) {
+  const Eigen::Vector3d& centre() const { return centre_; }
+  const Eigen::Vector3d& normal() const { return normal_; }
+  /// Where the circle's x and y axes lie at roll 0.
+  const Eigen::Vector3d& u() const { return u_; }
+  const Eigen::Vector3d& v() const { return v_; }
+
+  Rigid3 turnedBy(double roll) const {
+    const double c = std::cos(roll), s = std::sin(roll);
+    Eigen::Matrix3d in_object, in_camera;
+    in_object << circle_.x_axis, circle_.axis.cross(circle_.x_axis), circle_.axis;
+    in_camera << c * u_ + s * v_, c * v_ - s * u_, normal_;
+    Rigid3 pose;
+    pose.rotation = in_camera * in_object.transpose();
+    pose.translation = centre_ - pose.rotation * circle_.centre;
+    return pose;
+  }
+
+ private:
+  const ModelCircle& circle_;
+  Eigen::Vector3d centre_, normal_, u_, v_;
+};
+
+void turnAbout(const ObjectModel& model, const PosesOfCircle& circle, std::vector<Rigid3>* poses) {
   const int rolls = model.symmetries.axis ? 1 : kRolls;
-  for (int k = 0; k < rolls; ++k)
-    poses->push_back(poseOfCircle(circle, centre, normal, 2 * M_PI * k / kRolls));
+  for (int k = 0; k < rolls; ++k) poses->push_back(circle.turnedBy(2 * M_PI * k / kRolls));
 }
 
 // The axis through `centre` on which the second centre, `offset` [m] farther, is seen at `uv`; of the two
@@ -71,21 +87,26 @@ Eigen::Vector3d axisThroughCentres(const Camera& camera, const Eigen::Vector3d& 
   return best;
 }
 
-// Turns about the circle's axis that bring the edge's end farther from the axis into the plane of the eye and
-// the image line: plane . (centre + height + lever cos(roll) + (normal x lever) sin(roll)) = 0.
-std::vector<double> rollsOntoLine(const Camera& camera, const Grouping& seen, const Rigid3& start,
-                                  const std::array<Eigen::Vector3d, 2>& edge, const Eigen::Vector3d& centre,
-                                  const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d plane = camera.ray(seen.points[0]).cross(camera.ray(seen.points[1])).normalized();
-  Eigen::Vector3d lever = Eigen::Vector3d::Zero();
-  double height = 0;
+// The end of an edge that is farther from a circle's axis, along the circle's x, y and axis [m].
+Eigen::Vector3d fartherEnd(const ModelCircle& circle, const std::array<Eigen::Vector3d, 2>& edge) {
+  const Eigen::Vector3d y_axis = circle.axis.cross(circle.x_axis);
+  Eigen::Vector3d farther = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& end : edge) {
-    const Eigen::Vector3d from_centre = start * end - centre;
-    const Eigen::Vector3d across = from_centre - from_centre.dot(normal) * normal;
-    if (across.squaredNorm() > lever.squaredNorm()) lever = across, height = from_centre.dot(normal);
+    const Eigen::Vector3d r = end - circle.centre;
+    const Eigen::Vector3d place(r.dot(circle.x_axis), r.dot(y_axis), r.dot(circle.axis));
+    if (place.head<2>().squaredNorm() > farther.head<2>().squaredNorm()) farther = place;
   }
-  const double a = plane.dot(lever), b = plane.dot(normal.cross(lever));
-  const double c = plane.dot(centre + height * normal), amplitude = std::hypot(a, b);
+  return farther;
+}
+
+// Turns about the circle's axis that bring the end of an edge (fartherEnd) into the plane of the eye and the
+// image line: plane . (centre + z normal + (x u + y v) cos(roll) + (x v - y u) sin(roll)) = 0.
+std::vector<double> rollsOntoLine(const Eigen::Vector3d& plane, const PosesOfCircle& circle,
+                                  const Eigen::Vector3d& end) {
+  const double pu = plane.dot(circle.u()), pv = plane.dot(circle.v());
+  const double a = end.x() * pu + end.y() * pv, b = end.x() * pv - end.y() * pu;
+  const double c = plane.dot(circle.centre() + end.z() * circle.normal()),
+               amplitude = std::sqrt(a * a + b * b);
   if (amplitude <= kNoLever || std::abs(c) > amplitude) return {};
   const double middle = std::atan2(b, a), half = std::acos(-c / amplitude);
   return {middle + half, middle - half};
@@ -113,7 +134,7 @@ void posesOfEllipse(const SearchImage& image, const ObjectModel& model, const Gr
     const CirclePoses solutions = circlePoses(seen, image.camera, circle.radius);
     for (int i = 0; i < solutions.count; ++i)
       for (double side : {1.0, -1.0})  // a rim is seen from its face's side or, as an outline, from behind
-        turnAbout(model, circle, solutions.pose[i].centre, side * solutions.pose[i].normal, poses);
+        turnAbout(model, {circle, solutions.pose[i].centre, side * solutions.pose[i].normal}, poses);
   }
 }
 
@@ -128,16 +149,16 @@ void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, cons
   const ModelCircle& other = model.circles[pair.known.circles[pair.order.ellipses[1 - first]]];
   const double offset = circle.axis.dot(other.centre - circle.centre);
   const Eigen::Vector2d seen = ellipse(1 - first).centre;
-  const CirclePoses solutions = circlePoses(ellipse(first), image.camera, circle.radius);
+  const CirclePoses& solutions = image.unit_circles[size_t(pair.seen.ellipses[first])];
   for (int i = 0; i < solutions.count; ++i)
     for (double side : {1.0, -1.0}) {
-      const Eigen::Vector3d& centre = solutions.pose[i].centre;
+      const Eigen::Vector3d centre = circle.radius * solutions.pose[i].centre;
       Eigen::Vector3d axis = side * solutions.pose[i].normal;
       if (std::abs(offset) > kLongBaseline * circle.radius)
         axis = axisThroughCentres(image.camera, centre, seen, offset, axis);
       const Eigen::Vector3d second = centre + offset * axis;
       if (second.z() <= 0 || (image.camera.project(second) - seen).norm() > kCentreError) continue;
-      turnAbout(model, circle, centre, axis, poses);
+      turnAbout(model, {circle, centre, axis}, poses);
     }
 }
 
@@ -146,15 +167,18 @@ void posesOfEllipseLine(const SearchImage& image, const ObjectModel& model, cons
   const auto& [seen, known, order] = pair;
   const ModelCircle& circle = model.circles[known.circles[order.ellipses[0]]];
   const std::array<Eigen::Vector3d, 2> edge{known.points[order.points[0]], known.points[order.points[1]]};
-  const Ellipse& ellipse = image.features.ellipses[seen.ellipses[0]].ellipse;
-  const CirclePoses solutions = circlePoses(ellipse, image.camera, circle.radius);
+  const CirclePoses& solutions = image.unit_circles[size_t(seen.ellipses[0])];
+  const Eigen::Vector3d end = fartherEnd(circle, edge);
+  const Camera& camera = image.camera;
+  const Eigen::Vector3d plane = camera.ray(seen.points[0]).cross(camera.ray(seen.points[1])).normalized();
+
   for (int i = 0; i < solutions.count; ++i)
     for (double side : {1.0, -1.0}) {
-      const Eigen::Vector3d &centre = solutions.pose[i].centre, normal = side * solutions.pose[i].normal;
-      for (double roll :
-           rollsOntoLine(image.camera, seen, poseOfCircle(circle, centre, normal, 0), edge, centre, normal)) {
-        const Rigid3 pose = poseOfCircle(circle, centre, normal, roll);
-        if (liesOnLine(image.camera, seen, pose, edge)) poses->push_back(pose);
+      const PosesOfCircle turns(circle, circle.radius * solutions.pose[i].centre,
+                                side * solutions.pose[i].normal);
+      for (double roll : rollsOntoLine(plane, turns, end)) {
+        const Rigid3 pose = turns.turnedBy(roll);
+        if (liesOnLine(camera, seen, pose, edge)) poses->push_back(pose);
       }
     }
 }

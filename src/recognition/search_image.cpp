@@ -56,8 +56,16 @@ SearchImage withFeatures(const cv::Mat& grey, const Camera& camera, const Featur
   return image;
 }
 
+std::vector<CirclePoses> unitCircles(const FeatureSet& features, const Camera& camera) {
+  std::vector<CirclePoses> circles;
+  for (const DetectedEllipse& seen : features.ellipses)
+    circles.push_back(circlePoses(seen.ellipse, camera, 1));
+  return circles;
+}
+
 SearchImage withGroupings(SearchImage image, const ModelBase& base, const GroupingOptions& options) {
   image.groupings = groupFeatures(image.features, base, options);
+  image.unit_circles = unitCircles(image.features, image.camera);
   return image;
 }
 

@@ -5,6 +5,7 @@
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/pose/circle_pose.h"
 #include "monocular_eye_hand/recognition/options.h"
 #include "recognition/evidence.h"
 #include "recognition/stage_log.h"
@@ -20,7 +21,8 @@ struct SearchImage {
   FeatureSet features;
   EdgeRaster raster;  ///< of features.points, on the domain
 
-  std::vector<Grouping> groupings;  ///< withGroupings
+  std::vector<Grouping> groupings;        ///< withGroupings
+  std::vector<CirclePoses> unit_circles;  ///< withGroupings; unitCircles
 
   EvidenceMap map;                  ///< withEvidence; on the domain
   cv::Mat rect_grey;                ///< withEvidence; rectified, on the domain
@@ -28,6 +30,10 @@ struct SearchImage {
   double grey_noise = 1;            ///< withEvidence; standard deviation of the image noise [grey levels]
   std::vector<int> trace_of_point;  ///< withEvidence; features.traces by features.points
 };
+
+/// The circles of radius 1 m that look like the ellipses, one by one: those of other radii differ in their
+/// distance alone.
+std::vector<CirclePoses> unitCircles(const FeatureSet& features, const Camera& camera);
 
 /// What an alignment looks at: features and where their edge points lie. `grey`: CV_8UC1 of the camera's
 /// size.

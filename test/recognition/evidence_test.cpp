@@ -76,17 +76,17 @@ TEST(EvidenceMap, an_edge_of_the_direction_speaks_for_and_everything_else_agains
   FeatureSet features;
   addEdge(&features, {80, 20}, M_PI / 2, 80);
   const EvidenceMap map(features, plainDomain(160, 120));
-  EXPECT_EQ(map.width(), 160);
-  EXPECT_EQ(map.height(), 120);
-  EXPECT_GT(map.at(kVertical, 80, 60), kEvidenceUnit) << "on the edge, along it";
-  EXPECT_GT(map.at(kVertical, 81, 60), kEvidenceUnit) << "a pixel beside it";
-  EXPECT_GE(map.at(kVertical, 80, 60), map.at(kVertical, 83, 60));
-  EXPECT_GE(map.at(kVertical, 83, 60), map.at(kVertical, 95, 60));
-  EXPECT_LT(map.at(kHorizontal, 80, 60), -kEvidenceUnit) << "on the edge, across it";
-  EXPECT_LT(map.at(kVertical, 40, 60), -kEvidenceUnit) << "where nothing is";
-  EXPECT_NE(map.at(kVertical, 0, 0), kOutside);
+  EXPECT_EQ(map.full().width(), 160);
+  EXPECT_EQ(map.full().height(), 120);
+  EXPECT_GT(map.full().at(kVertical, 80, 60), kEvidenceUnit) << "on the edge, along it";
+  EXPECT_GT(map.full().at(kVertical, 81, 60), kEvidenceUnit) << "a pixel beside it";
+  EXPECT_GE(map.full().at(kVertical, 80, 60), map.full().at(kVertical, 83, 60));
+  EXPECT_GE(map.full().at(kVertical, 83, 60), map.full().at(kVertical, 95, 60));
+  EXPECT_LT(map.full().at(kHorizontal, 80, 60), -kEvidenceUnit) << "on the edge, across it";
+  EXPECT_LT(map.full().at(kVertical, 40, 60), -kEvidenceUnit) << "where nothing is";
+  EXPECT_NE(map.full().at(kVertical, 0, 0), kOutside);
   for (const auto& [x, y] : {std::pair{-1, 0}, {0, -1}, {160, 0}, {0, 120}, {5000, 5000}})
-    EXPECT_EQ(map.at(kVertical, x, y), kOutside) << x << ", " << y;
+    EXPECT_EQ(map.full().at(kVertical, x, y), kOutside) << x << ", " << y;
 }
 
 TEST(EvidenceMap, a_point_counts_for_the_two_bins_around_its_direction) {
@@ -96,7 +96,8 @@ TEST(EvidenceMap, a_point_counts_for_the_two_bins_around_its_direction) {
     const EvidenceMap map(features, plainDomain(160, 120));
     const int low = int(degrees / 180 * kOrientationBins), high = (low + 1) % kOrientationBins;
     for (int bin = 0; bin < kOrientationBins; ++bin)
-      EXPECT_EQ(map.at(bin, 80, 60) > 0, bin == low || bin == high) << degrees << " degrees, bin " << bin;
+      EXPECT_EQ(map.full().at(bin, 80, 60) > 0, bin == low || bin == high)
+          << degrees << " degrees, bin " << bin;
   }
 }
 
@@ -105,28 +106,27 @@ TEST(EvidenceMap, an_edge_amid_many_says_less_than_one_on_clear_ground) {
   addEdge(&features, {40, 20}, M_PI / 2, 160);
   for (int u = 240; u < 340; u += 5) addEdge(&features, {float(u), 20}, M_PI / 2, 160);
   const EvidenceMap map(features, plainDomain(400, 200));
-  EXPECT_GT(map.at(kVertical, 40, 100), 0);
-  EXPECT_LT(map.at(kVertical, 290, 100), map.at(kVertical, 40, 100) / 2);
-  EXPECT_LT(map.at(kVertical, 140, 100), 0);
+  EXPECT_GT(map.full().at(kVertical, 40, 100), 0);
+  EXPECT_LT(map.full().at(kVertical, 290, 100), map.full().at(kVertical, 40, 100) / 2);
+  EXPECT_LT(map.full().at(kVertical, 140, 100), 0);
 }
 
 TEST(EvidenceMap, without_a_single_edge_nothing_speaks_for_anything) {
   const EvidenceMap map(FeatureSet{}, plainDomain(64, 48));
   for (int bin = 0; bin < kOrientationBins; ++bin)
     for (int y = 0; y < 48; ++y)
-      for (int x = 0; x < 64; ++x) ASSERT_LT(map.at(bin, x, y), 0);
+      for (int x = 0; x < 64; ++x) ASSERT_LT(map.full().at(bin, x, y), 0);
 }
 
 TEST(EvidenceMap, half_resolution_shows_every_second_pixel_of_an_odd_sized_image) {
   FeatureSet features;
   addEdge(&features, {30, 10}, 0.7, 60);
   const EvidenceMap map(features, plainDomain(101, 75));
-  ASSERT_EQ(map.halfWidth(), 51);
-  ASSERT_EQ(map.halfHeight(), 38);
+  ASSERT_EQ(map.half().width(), 51);
+  ASSERT_EQ(map.half().height(), 38);
   for (int bin = 0; bin < kOrientationBins; ++bin)
     for (int y = 0; y < 38; ++y)
-      for (int x = 0; x < 51; ++x)
-        ASSERT_EQ(map.half()[(size_t(bin) * 38 + y) * 51 + x], map.at(bin, 2 * x, 2 * y));
+      for (int x = 0; x < 51; ++x) ASSERT_EQ(map.half().at(bin, x, y), map.full().at(bin, 2 * x, 2 * y));
 }
 
 TEST(EvidenceMap, follows_the_domain_of_a_lens) {
@@ -137,12 +137,12 @@ TEST(EvidenceMap, follows_the_domain_of_a_lens) {
   const EvidenceMap map(features, domain);
   EXPECT_EQ(map.u0(), domain.u0);
   EXPECT_EQ(map.v0(), domain.v0);
-  EXPECT_GT(map.at(kVertical, 160 - domain.u0, 110 - domain.v0), 0);
+  EXPECT_GT(map.full().at(kVertical, 160 - domain.u0, 110 - domain.v0), 0);
   int outside = 0;
   for (int y = 0; y < domain.height; ++y)
     for (int x = 0; x < domain.width; ++x) {
       const bool covered = domain.contains(x + domain.u0, y + domain.v0);
-      ASSERT_EQ(map.at(kVertical, x, y) == kOutside, !covered) << x << ", " << y;
+      ASSERT_EQ(map.full().at(kVertical, x, y) == kOutside, !covered) << x << ", " << y;
       outside += !covered;
     }
   EXPECT_GT(outside, 0);

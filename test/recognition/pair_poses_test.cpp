@@ -54,6 +54,7 @@ class EveryKind : public testing::Test {
     SearchImage image;
     image.camera = camera_;
     image.features = seen.features;
+    image.unit_circles = unitCircles(seen.features, camera_);
     double best = 1e9;
     for (const Correspondence& order : known.orders) {
       std::vector<Rigid3> poses;
