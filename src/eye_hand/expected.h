@@ -11,8 +11,8 @@ struct PlacedModel {
   Rigid3 base_from_object;
 };
 
-/// Whether a camera should show objects[index]: large enough, and a share of it inside the image and not
-/// hidden by the others.
+/// Whether a camera should show objects[index]: large enough, neither too near nor too far, and a share of it
+/// inside the image and not hidden by the others.
 bool expectedInView(const std::vector<PlacedModel>& objects, size_t index, const Camera& camera,
                     const Rigid3& base_from_camera, const ObjectMapOptions& options);
 

@@ -218,17 +218,13 @@ ViewDecision ObjectMap::meet(Track* track, const Sighting& seen, double chi_squa
   decision.chi_square = chi_square;
   track->outliers.clear();
   track->object.misses = 0;
+  track->missed_from.clear();
   track->object.last_stamp = stamp;
   track->merged.probability = std::max(track->merged.probability, seen.probability);
 
   // So many places say all that views can say: what is left is common to them.
-  const bool same_camera =
-      int(track->base_from_cameras.size()) >= options_.most_views ||
-      std::any_of(
-          track->base_from_cameras.begin(), track->base_from_cameras.end(), [&](const Rigid3& camera) {
-            return (camera.translation - seen.base_from_camera.translation).norm() <= options_.min_motion &&
-                   angleBetween(camera.rotation, seen.base_from_camera.rotation) <= options_.min_turn;
-          });
+  const bool same_camera = int(track->base_from_cameras.size()) >= options_.most_views ||
+                           oneOf(track->base_from_cameras, seen.base_from_camera);
 
   if (same_camera) {
     decision.outcome = ViewOutcome::kSeenAgain;
@@ -252,8 +248,10 @@ ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double ch
        << options_.gate;
   const auto disagrees = [&](const Sighting& other) { return !(chiSquare(other, seen) <= options_.gate); };
   if (std::any_of(track->outliers.begin(), track->outliers.end(), disagrees)) track->outliers.clear();
-  track->outliers.push_back(seen);
+  if (tellsOfChange(*track, seen.base_from_camera, placesOf(track->outliers)))
+    track->outliers.push_back(seen);
   track->object.misses = 0;  // something of this name is there
+  track->missed_from.clear();
   if (int(track->outliers.size()) < options_.outliers_to_restart) {
     decision.outcome = ViewOutcome::kOutlier;
     decision.reason = text.str();
@@ -336,15 +334,38 @@ bool ObjectMap::expected(const Track& track, const ObjectView& view) const {
   return expectedInView(placed, 0, view.camera, base_from_camera, options_);
 }
 
+bool ObjectMap::oneOf(const std::vector<Rigid3>& base_from_cameras, const Rigid3& base_from_camera) const {
+  return std::any_of(base_from_cameras.begin(), base_from_cameras.end(), [&](const Rigid3& other) {
+    return (other.translation - base_from_camera.translation).norm() <= options_.min_motion &&
+           angleBetween(other.rotation, base_from_camera.rotation) <= options_.min_turn;
+  });
+}
+
+std::vector<Rigid3> ObjectMap::placesOf(const std::vector<Sighting>& sightings) {
+  std::vector<Rigid3> base_from_cameras;
+  for (const Sighting& sighting : sightings) base_from_cameras.push_back(sighting.base_from_camera);
+  return base_from_cameras;
+}
+
+bool ObjectMap::tellsOfChange(const Track& track, const Rigid3& base_from_camera,
+                              const std::vector<Rigid3>& told_from) const {
+  return oneOf(track.base_from_cameras, base_from_camera) || !oneOf(told_from, base_from_camera);
+}
+
 void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met, ViewReport* report) {
   if (!view.complete) return;
+  const Rigid3 base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
   std::vector<char> missed(tracks_.size());
-  for (size_t t = 0; t < tracks_.size(); ++t) missed[t] = !met[t] && expected(tracks_[t], view);
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    const Track& track = tracks_[t];
+    missed[t] = !met[t] && tellsOfChange(track, base_from_camera, track.missed_from) && expected(track, view);
+  }
   std::vector<Track> kept;
   for (size_t t = 0; t < tracks_.size(); ++t) {
     Track& track = tracks_[t];
     track.object.misses += missed[t];
     track.missed += missed[t];
+    if (missed[t]) track.missed_from.push_back(base_from_camera);
     if (track.object.misses >= options_.forget_after_misses) {
       publish(&track);
       if (!track.yields_to) report->forgotten.push_back(track.object);

@@ -40,6 +40,9 @@ void ObjectMapOptions::check() const {
   requireShare("expected_share", expected_share);
   require(expected_size >= 0, "expected_size", expected_size, "0 or more");
   require(expected_border >= 0, "expected_border", expected_border, "0 or more");
+  require(expected_nearest >= 0, "expected_nearest", expected_nearest, "0 or more");
+  require(expected_farthest > expected_nearest, "expected_farthest", expected_farthest,
+          "above expected_nearest");
 }
 
 const char* name(ViewOutcome outcome) {

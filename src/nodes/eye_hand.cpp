@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   const meh::NodeHelp help{"eye_hand",
                            "tells where recognised objects are in the base of the arm that carries the "
                            "camera, and how to grasp them",
-                           "recognizer/objects, camera_info, joint_states, /tf",
+                           "recognizer/objects, camera_info, joint_states, gripper/state, /tf, /tf_static",
                            "~objects, ~best_grasps, ~grasp_poses, ~markers, /diagnostics",
                            "services ~grasp_targets, ~forget",
                            "eye_hand.launch camera:=/camera objects:=FILE.yaml urdf:=ARM.urdf",

@@ -130,13 +130,14 @@ std::string EyeHandNode::merge(const RecognizedObjectArray& view) {
   ObjectView input;
   input.objects = toSeenObjects(view, models_);
   input.stamp = view.header.stamp.toSec();
-  input.complete = isComplete(view);
   input.camera = camera();
 
   const std::string camera_frame = withoutSlash(view.header.frame_id);
   const HandAtStamp hand = handAt(view.header.stamp, camera_frame);
   input.hand = hand.hand;
   input.hand_eye = hand.hand_eye;
+  // A camera in motion misses much, and again and again; what the hand holds, of whatever shape, hides much.
+  input.complete = isComplete(view) && !hand.moves && !holds(hand.gripper, parameters_.held_width);
   requireOpticalFrame(input, camera_frame, hand.table_height);
   input.known = knownCell(parameters_, hand.table_height, hand.hand.base_from_tool0 * advisor_.tool0FromTcp(),
                           hand.gripper);

@@ -23,6 +23,7 @@ void EyeHandParameters::check() const {
   require(std::isfinite(table_height), "table_height", table_height, "finite");
   requireOwnNames(boxes);
   require(held_width >= 0, "held_width", held_width, "0 or more");
+  requirePositive("still", still);
   require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");
   requirePositive("label_height", label_height);
   requirePositive("diagnostic_period", diagnostic_period);

@@ -31,6 +31,7 @@ struct EyeHandParameters {
   std::string table_frame;         ///< level frame of the table in tf; "": base_frame
   std::vector<CellBox> boxes;      ///< whatever else stands in the cell: nothing reaches into it
   double held_width = 0.002;       ///< between the pads of a stalled gripper: beyond, it holds something [m]
+  double still = 0.05;  ///< a joint that turns faster moves the camera: its image misses nothing [rad/s]
   int marker_triangles = 20000;    ///< meshes with more triangles are shown by their sharp edges
   double label_height = 0.03;      ///< of the markers' texts [m]
   double diagnostic_period = 1.0;  ///< [s, wall clock]
@@ -50,7 +51,7 @@ struct EyeHandParameters {
     v("max_joint_gap", max_joint_gap), v("max_joint_age", max_joint_age);
     v("max_tf_distance", max_tf_distance), v("max_tf_turn", max_tf_turn), v("max_waiting", max_waiting);
     v("table", table), v("table_height", table_height), v("table_frame", table_frame);
-    v("boxes", boxes), v("held_width", held_width);
+    v("boxes", boxes), v("held_width", held_width), v("still", still);
     v("marker_triangles", marker_triangles), v("label_height", label_height);
     v("diagnostic_period", diagnostic_period);
     v("map", map), v("arm", arm), v("gripper", gripper), v("sampling", sampling), v("grasp", grasp);

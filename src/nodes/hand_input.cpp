@@ -14,7 +14,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kPoll = 0.005;  // while waiting for what is late [s]
+constexpr double kPoll = 0.005;      // while waiting for what is late [s]
+constexpr double kSpeedSpan = 0.05;  // over which a joint's speed is measured [s]
 constexpr double kLongestWait =
     10;  // in `wait`s of the wall clock, when the clock stands: a bag may have ended
 const double kLevel = std::cos(0.02);  // of the table's normal against base's z
@@ -87,6 +88,7 @@ HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_fram
   if (!result.problem.empty()) return result;
 
   result.gripper = grippers_.at(stamp, parameters_.max_joint_age);
+  result.moves = history_.speedAt(stamp, kSpeedSpan, parameters_.max_joint_gap) > parameters_.still;
   const HandPose by_joints = handPose(arm_, joints);
   result.hand.jacobian = by_joints.jacobian;
   if (match != JointHistory::Match::kBetween) return result;  // moving: an angle nearby proves nothing

@@ -19,6 +19,7 @@ namespace monocular_eye_hand {
 struct HandAtStamp {
   HandPose hand;
   HandEye hand_eye;                     ///< covariance zero: the options' stands in
+  bool moves = false;                   ///< the camera does
   double table_height = 0;              ///< z of the table's top in base [m]
   std::optional<GripperState> gripper;  ///< none: it says nothing
   std::string problem;                  ///< why it is not known; "": it is

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -73,6 +74,19 @@ JointHistory::Match JointHistory::at(const ros::Time& stamp, double max_gap, Joi
   for (size_t k = 0; k < entries_.size(); ++k)
     worst = std::min(worst, angleAt(k, stamp, max_gap, &(*joints)[int(k)]));
   return worst;
+}
+
+double JointHistory::speedAt(const ros::Time& stamp, double span, double max_gap) const {
+  JointVector here, there;
+  if (at(stamp, max_gap, &here) != Match::kBetween) return 0;
+  std::optional<double> slower;
+  for (const double side : {-span, span}) {
+    if (stamp.toSec() + side < 0 || at(stamp + ros::Duration(side), max_gap, &there) != Match::kBetween)
+      continue;
+    const double speed = (there - here).cwiseAbs().maxCoeff() / span;
+    slower = slower ? std::min(*slower, speed) : speed;
+  }
+  return slower.value_or(0);
 }
 
 bool JointHistory::latest(JointVector* joints, ros::Time* stamp) const {

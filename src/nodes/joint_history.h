@@ -28,6 +28,9 @@ class JointHistory {
     kBetween  ///< of all joints interpolated between two within it
   };
   Match at(const ros::Time& stamp, double max_gap, JointVector* joints) const;
+  /// How fast the fastest joint turns at `stamp`, on average over `span` before or after it, whichever is
+  /// slower; 0 when that is not known [s, rad/s].
+  double speedAt(const ros::Time& stamp, double span, double max_gap) const;
   /// The last angle of every joint, and the time since which all of them are known. False while one is not.
   bool latest(JointVector* joints, ros::Time* stamp) const;
   /// What is wrong with the messages of late, or that none came; "": nothing.

@@ -29,7 +29,7 @@ void addFingers(const GripperOptions& gripper, const GripperState& state, double
     const Eigen::Vector3d centre(0, side * (state.width + gripper.finger_thickness) / 2, z);
     boxes->push_back(inHand("the fingers of the hand", base_from_tcp, centre, size));
   }
-  if (!state.stalled || state.width <= held_width) return;
+  if (!holds(state, held_width)) return;
   boxes->push_back(inHand("what the hand holds", base_from_tcp, Eigen::Vector3d::Zero(),
                           {gripper.pad_width, state.width, gripper.pad_length}));
 }
@@ -42,6 +42,10 @@ double lowestPoint(const ObjectModel& model, const Rigid3& base_from_object) {
 }
 
 }  // namespace
+
+bool holds(const std::optional<GripperState>& gripper, double held_width) {
+  return gripper && gripper->stalled && gripper->width > held_width;
+}
 
 KnownSpace knownCell(const EyeHandParameters& parameters, double table_height, const Rigid3& base_from_tcp,
                      const std::optional<GripperState>& gripper) {

@@ -14,6 +14,9 @@ namespace monocular_eye_hand {
 KnownSpace knownCell(const EyeHandParameters& parameters, double table_height, const Rigid3& base_from_tcp,
                      const std::optional<GripperState>& gripper);
 
+/// Whether the gripper holds something, of whatever shape.
+bool holds(const std::optional<GripperState>& gripper, double held_width);
+
 /// What the objects of a view say of the axes of its frame.
 enum class FrameAxes {
   kUnknown,

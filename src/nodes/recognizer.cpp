@@ -11,7 +11,7 @@ namespace meh = monocular_eye_hand;
 int main(int argc, char** argv) {
   const meh::NodeHelp help{"recognizer",
                            "finds known CAD parts in the images of a camera",
-                           "image_raw (image_rect with rectified: true), camera_info",
+                           "image_raw (image_rect with rectified: true), camera_info, /tf_static",
                            "~objects, ~markers, ~view, ~overlay, /tf, /diagnostics",
                            "service ~recognize; rosrun monocular_eye_hand ask NAME calls it",
                            "recognize.launch camera:=/camera objects:=FILE.yaml rviz:=true",

@@ -43,11 +43,7 @@ std::string foundText(const std::vector<RecognizedObject>& objects) {
 }
 
 std::string notFoundText(const std::string& only, const RecognitionResult& result) {
-  std::string text = (only.empty() ? "no known object" : "no " + only) + " in the image: " + result.reason;
-  if (!result.rejected.empty())
-    text +=
-        "; best rejected candidate: " + result.rejected.front().name + ", " + result.rejected.front().reason;
-  return text;
+  return (only.empty() ? "no known object" : "no " + only) + " in the image: " + result.reason;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/length_text.h"
 #include "nodes/names.h"
 
 namespace monocular_eye_hand {
@@ -203,10 +204,10 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
     if (since > 0 && !state.moving && (there || (closing && state.stalled))) break;
     if (since > kStalledFor && !closing && !state.moving && state.stalled)
       return fault("something keeps the fingers from opening: they are stalled at " +
-                   std::to_string(state.width * 1e3) + " mm");
+                   millimetresText(state.width));
     if (begin.since() > options_.gripper_timeout)
-      return fault("the gripper did not go to " + std::to_string(width * 1e3) + " mm in time: it stands at " +
-                   std::to_string(state.width * 1e3) + " mm");
+      return fault("the gripper did not go to " + millimetresText(width) + " in time: it stands at " +
+                   millimetresText(state.width));
     const double wall = (ros::WallTime::now() - wall_start).toSec();
     if (wall > kLongestStop * options_.gripper_timeout && watch.cancelled())
       return fault("cancelled; the clock stands: whether the fingers moved is not known");

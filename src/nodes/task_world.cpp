@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/length_text.h"
 #include "monocular_eye_hand/geometry/seconds_text.h"
 #include "nodes/arm_state.h"
 #include "nodes/conversion.h"
@@ -405,8 +406,7 @@ TaskGrip RosTaskWorld::grip() {
   }
   grip.known = true;
   grip.holding = gripper_->stalled && gripper_->width > parameters_.holding_width;
-  grip.reason =
-      "width " + std::to_string(1e3 * gripper_->width) + " mm" + (gripper_->stalled ? ", stalled" : "");
+  grip.reason = "width " + millimetresText(gripper_->width) + (gripper_->stalled ? ", stalled" : "");
   return grip;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -10,6 +11,12 @@ namespace monocular_eye_hand {
 namespace {
 
 std::string label(const MappedObject& object) { return object.name + " " + std::to_string(object.number); }
+
+std::string twoDigits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return text;
+}
 
 }  // namespace
 
@@ -158,7 +165,7 @@ void ClearFrameTask::choose() {
   }
   if (!chosen_) chosen_ = uncertain;
   if (chosen_) {
-    tell(best >= 0 ? "a grasp of quality " + std::to_string(best)
+    tell(best >= 0 ? "a grasp of quality " + twoDigits(best)
                    : "its pose is too uncertain: " + progress_[*chosen_].blocked);
     stage_ = TaskStage::kConfirm;
     return;

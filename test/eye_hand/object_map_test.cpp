@@ -82,6 +82,23 @@ TEST(ObjectMap, AnOutlierIsLeftOutAndAMovedObjectFollowed) {
   EXPECT_LT(difference(map.objects()[0].base_from_object, pushed).norm(), 1e-9);
 }
 
+TEST(ObjectMap, APlaceThatNeverShowedItSoDoesNotMoveItAlone) {
+  ObjectMap map(&models());
+  const Rigid3 there = upright(0.45, 0), wrong = upright(0.46, 0.01, 0.2);
+  map.add(view(1, kLeft, kTarget, {{kBridge, there}}));
+  for (int k = 0; k < 4; ++k) {
+    const ViewReport report = map.add(view(2 + k, kRight, kTarget, {{kBridge, wrong}}));
+    EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kOutlier);
+    EXPECT_EQ(map.objects().at(0).outliers, 1);
+  }
+  map.add(view(10, kFar, kTarget, {{kBridge, there}}));
+  // From where it was seen before, every view that shows it elsewhere says that it was moved.
+  EXPECT_EQ(map.add(view(11, kLeft, kTarget, {{kBridge, wrong}})).decisions[0].outcome,
+            ViewOutcome::kOutlier);
+  EXPECT_EQ(map.add(view(12, kLeft, kTarget, {{kBridge, wrong}})).decisions[0].outcome,
+            ViewOutcome::kRestarted);
+}
+
 TEST(ObjectMap, OutliersThatContradictEachOtherDoNotMoveIt) {
   ObjectMap map(&models());
   map.add(view(1, kLeft, kTarget, {{kBridge, upright(0.45, 0)}}));
@@ -102,13 +119,28 @@ TEST(ObjectMap, WhatShouldHaveBeenSeenIsForgotten) {
   EXPECT_EQ(map.objects()[1].misses, 1);
   for (const auto& [stamp, eye] : {std::pair(3, kNear), std::pair(4, kLeft), std::pair(5, kFar)})
     EXPECT_TRUE(map.add(view(stamp, eye, kTarget, {{kBridge, a}})).forgotten.empty());
-  report = map.add(view(6, kRight, kTarget, {{kBridge, a}}));
+  report = map.add(view(6, kTarget + Eigen::Vector3d(0, 0, 0.5), kTarget, {{kBridge, a}}));
   ASSERT_EQ(report.forgotten.size(), 1u);
   EXPECT_EQ(report.forgotten[0].number, 1);
   ASSERT_EQ(map.objects().size(), 1u);
   // Its number is not given to another one.
   report = map.add(view(7, kNear, kTarget, {{kBridge, a}, {kBridge, b}}));
   EXPECT_EQ(report.decisions[1].number, 2);
+}
+
+TEST(ObjectMap, APlaceThatNeverShowedItMissesItOnce) {
+  ObjectMap map(&models());
+  const Rigid3 there = upright(0.45, 0);
+  map.add(view(1, kLeft, kTarget, {{kBridge, there}}));
+  for (int k = 0; k < 6; ++k) map.add(view(2 + k, kRight, kTarget, {}));
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].misses, 1);
+  for (int k = 0; k < 3; ++k) map.add(view(10 + k, kLeft, kTarget, {}));  // it was seen from here: it is gone
+  EXPECT_EQ(map.objects().at(0).misses, 4);
+  map.add(view(20, kFar, kTarget, {{kBridge, there}}));
+  EXPECT_EQ(map.objects()[0].misses, 0);
+  map.add(view(21, kRight, kTarget, {}));
+  EXPECT_EQ(map.objects()[0].misses, 1);
 }
 
 TEST(ObjectMap, WhatCouldNotBeSeenIsKept) {
@@ -119,6 +151,8 @@ TEST(ObjectMap, WhatCouldNotBeSeenIsKept) {
     map.add(view(2 + k, kTarget + Eigen::Vector3d(0.8, 0, 0.3), kTarget + Eigen::Vector3d(0.8, 0, 0), {}));
   EXPECT_EQ(map.objects().at(0).misses, 0);
   map.add(view(10, kTarget + Eigen::Vector3d(0, 0, 9), kTarget, {}));  // too small
+  EXPECT_EQ(map.objects().at(0).misses, 0);
+  map.add(view(10.5, kTarget + Eigen::Vector3d(0, 0, 0.2), kTarget, {}));  // nearer than recognition looks
   EXPECT_EQ(map.objects().at(0).misses, 0);
   ObjectView broken_off = view(11, kRight, kTarget, {});
   broken_off.complete = false;

@@ -82,6 +82,8 @@ class Arm:
         self.lock = threading.Lock()
         self.publisher = rospy.Publisher("/joint_states", JointState, queue_size=100)
         self.hidden = []  # joints that are not told
+        self.turning = 0  # of the last joint [rad/s]
+        self.last = None
         self.broadcaster = tf2_ros.TransformBroadcaster()
         self.static = tf2_ros.StaticTransformBroadcaster()
         self.timer = rospy.Timer(rospy.Duration(0.05), lambda _: self.tick())
@@ -92,6 +94,9 @@ class Arm:
     def tick(self):
         with self.lock:
             now = self.now()
+            if self.turning and self.last:
+                self.joints = self.joints + numpy.array([0.0] * 5 + [self.turning * (now - self.last).to_sec()])
+            self.last = now
             if self.joint_states:
                 for joints in ([JOINTS[:2], JOINTS[2:]] if self.split else [JOINTS]):
                     told = [name for name in joints if name not in self.hidden]

@@ -1,6 +1,7 @@
 """Programs of the package as child processes of a test."""
 import os
 import signal
+import socket
 import subprocess
 import tempfile
 import threading
@@ -10,6 +11,12 @@ import rosgraph
 import roslib.packages
 
 START = 60  # [s]; generous: the machine may be busy
+
+
+def free_port():
+    with socket.socket() as s:
+        s.bind(("127.0.0.1", 0))
+        return s.getsockname()[1]
 
 
 class Collector:

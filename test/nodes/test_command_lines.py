@@ -2,6 +2,7 @@
 """What people type first: --help of every node and script, --ros-args of every launch file. Needs no master."""
 import glob
 import os
+import re
 import subprocess
 import sys
 import unittest
@@ -17,6 +18,15 @@ def run(*command):
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
 
 
+def topics(node):
+    """The names in the tables of docs/nodes.md that tell what a node subscribes to and publishes."""
+    with open(ROOT + "/docs/nodes.md") as file:
+        section = ("\n" + file.read()).partition("\n## %s\n" % node)[2].partition("\n## ")[0]
+    tables = re.findall(r"### (?:Subscribed|Published)\n(.*?)(?=\n###|\Z)", section, re.DOTALL)
+    cells = re.findall(r"^\|([^|]*)\|", "\n".join(tables), re.MULTILINE)
+    return re.findall("`([^`]+)`", " ".join(cells))
+
+
 class TestCommandLines(unittest.TestCase):
     def test_help_of_nodes(self):
         for node in NODES:
@@ -25,6 +35,12 @@ class TestCommandLines(unittest.TestCase):
             self.assertIn("Node " + node + ": ", result.stdout)
             self.assertIn("Parameters and their defaults", result.stdout)
             self.assertIn(".launch", result.stdout)
+
+    def test_help_of_nodes_names_the_topics_of_the_documentation(self):
+        for node in NODES:
+            told = run("rosrun", "monocular_eye_hand", node, "--help").stdout.partition("Parameters and")[0]
+            for name in topics(node):
+                self.assertIn(name, told, node)
 
     def test_arguments_that_are_none(self):
         for argument in ("objects.yaml", "--objects"):

@@ -12,12 +12,13 @@ import rostest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import PoseArray
 from sensor_msgs.msg import CameraInfo
+from std_msgs.msg import Header
 from visualization_msgs.msg import Marker, MarkerArray
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import eye_hand_scene as scene
 import node_process
-from monocular_eye_hand.msg import GraspTargetArray, LocatedObjectArray, RecognizedObjectArray
+from monocular_eye_hand.msg import GraspTargetArray, GripperState, LocatedObjectArray, RecognizedObjectArray
 from monocular_eye_hand.srv import ForgetObject, GraspTargets, GraspTargetsResponse
 
 TABLE = 0.3  # [m]
@@ -64,7 +65,7 @@ class TestEyeHand(unittest.TestCase):
         self.assertTrue(self.node.running(), self.node.text())
         self.arm.joints, self.arm.offset = scene.ABOVE, numpy.zeros(3)
         self.arm.tf = True
-        self.arm.split, self.arm.hidden = False, []
+        self.arm.split, self.arm.hidden, self.arm.turning = False, [], 0
         self.forget("", -1)
 
     def tearDown(self):
@@ -193,6 +194,21 @@ class TestEyeHand(unittest.TestCase):
         view.truncated = True
         self.recognizer.publish(view)
         self.assertEqual(self.answer_to(stamp).objects[0].misses, 0)
+
+    def test_a_hand_that_holds_or_moves_misses_nothing(self):
+        self.use([("bridge", BRIDGE)])
+        gripper = rospy.Publisher("/gripper/state", GripperState, queue_size=10, latch=True)
+        for stalled, misses in ((True, 0), (False, 1)):
+            stamp = self.arm.stamp()
+            gripper.publish(GripperState(header=Header(stamp=stamp), width=0.04, stalled=stalled))
+            rospy.sleep(0.3)
+            self.assertEqual(self.use([]).objects[0].misses, misses)
+        self.arm.turning = 0.3
+        rospy.sleep(0.3)
+        self.assertEqual(self.use([]).objects[0].misses, 1)
+        self.arm.turning = 0
+        rospy.sleep(0.3)
+        self.assertEqual(self.use([]).objects[0].misses, 2)
 
     def test_missing_tf(self):
         self.refuse(["no transform from other_camera to tool0"], frame="other_camera")

@@ -3,6 +3,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
+#include "monocular_eye_hand/recognition/options.h"
 #include "nodes/eye_hand_parameters.h"
 #include "nodes/eye_hand_setup.h"
 
@@ -40,6 +41,12 @@ TEST(EyeHandParameters, ShippedFileHoldsTheDefaults) {
 TEST(EyeHandParameters, ShippedFileNamesEveryParameter) {
   expectNames(writeOptions(EyeHandParameters()), loadYaml(kSource + "/config/eye_hand.yaml"), "",
               {"objects", "urdf", "arm", "gripper.body"});
+}
+
+TEST(EyeHandParameters, ObjectsAreExpectedWhereTheRecogniserLooks) {
+  const RecognitionOptions recognition;
+  EXPECT_EQ(ObjectMapOptions().expected_nearest, recognition.min_distance);
+  EXPECT_EQ(ObjectMapOptions().expected_farthest, recognition.max_distance);
 }
 
 TEST(EyeHandParameters, AreChecked) {

@@ -78,6 +78,20 @@ TEST_F(History, LatestIsTheLast) {
   EXPECT_EQ(stamp_, ros::Time(101));
 }
 
+TEST_F(History, TellsHowFastTheFastestJointTurns) {
+  const auto speed = [this](double stamp) { return history_.speedAt(ros::Time(stamp), 0.05, 0.5); };
+  EXPECT_EQ(speed(100), 0);
+  for (int k = 0; k <= 10; ++k) add(100 + 0.1 * k, k < 5 ? 0.2 * k : 1.0);  // it stands from 100.5 on
+  EXPECT_NEAR(speed(100.25), 2, 1e-6);
+  EXPECT_NEAR(speed(100.0), 2, 1e-6);  // nothing is known of before
+  EXPECT_NEAR(speed(100.5), 0, 1e-6);  // it has just stopped
+  EXPECT_NEAR(speed(100.8), 0, 1e-6);
+  EXPECT_EQ(speed(101.2), 0);
+  add(0.01, 0.2);  // the clock was set back to its begin
+  add(0.03, 0.6);
+  EXPECT_EQ(speed(0.02), 0);
+}
+
 TEST_F(History, WithoutStampItIsOfNow) {
   sensor_msgs::JointState state = message(0, 0.4);
   state.header.stamp = ros::Time();

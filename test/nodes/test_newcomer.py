@@ -59,12 +59,14 @@ class TestNewcomer(unittest.TestCase):
     def walk(self):
         lines = commands()
         self.assertEqual(len(lines), 5)
-        script = ["cd " + self.folder, "set -e"] + lines[:4] + ["set +e", lines[4], "code=$?", "kill $!", "wait $!",
-                                                                "exit $code"]
+        # As in a shell of one's own: no master runs before roslaunch starts one.
+        script = ["export ROS_MASTER_URI=http://127.0.0.1:%d" % node_process.free_port(), "cd " + self.folder, "set -e"]
+        script += lines[:4] + ["set +e", lines[4], "code=$?", "kill $!", "wait $!", "exit $code"]
         with node_process.Process(["bash", "-c", "\n".join(script)]) as process:
             self.assertEqual(process.exit_code(LONG), 0, process.text())
             self.assertIn("in the frame camera", process.text())
             self.assertRegex(process.text(), r"part_0 +[01][.][0-9]{2} ")
+            return process.text()
 
     def test_readme_with_a_bracket(self):
         write_stl(PACKAGE + "/models/bracket.ply", self.folder + "/part.stl")
@@ -72,7 +74,7 @@ class TestNewcomer(unittest.TestCase):
 
     def test_readme_with_a_flange(self):
         write_stl(PACKAGE + "/models/flange.ply", self.folder + "/part.stl")
-        self.walk()
+        self.assertRegex(self.walk(), r"part_0 .* mm, free about its axis")
 
     def test_ask(self):
         scene_files.write_cube_files(self.folder)
@@ -97,9 +99,10 @@ class TestNewcomer(unittest.TestCase):
         answer = self.run_line(ask + "--wait 0 --node nobody cube")
         self.assertEqual(answer.returncode, 2, answer.stdout)
         self.assertIn("nobody offers /nobody/recognize", answer.stdout)
-        answer = self.run_line("ROS_MASTER_URI=http://127.0.0.1:9 " + ask)
+        answer = self.run_line("ROS_MASTER_URI=http://127.0.0.1:9 " + ask + "--wait 2")
         self.assertEqual(answer.returncode, 2, answer.stdout)
-        self.assertIn("no ROS master", answer.stdout)
+        self.assertIn("ask: waiting for a ROS master at http://127.0.0.1:9: start a launch file", answer.stdout)
+        self.assertIn("ask: no ROS master", answer.stdout)
 
     def test_a_path_that_is_nowhere(self):
         scene_files.write_cube_files(self.folder)

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """What every node lives by: a clock that does not come, one that stands, a master that was restarted."""
 import os
-import socket
 import sys
 import tempfile
 import time
@@ -22,17 +21,11 @@ OBJECTS, URDF = "_objects:=" + PACKAGE + "/config/cube.yaml", "_urdf:=" + PACKAG
 SIM_TIME = "/use_sim_time"
 
 
-def free_port():
-    with socket.socket() as s:
-        s.bind(("127.0.0.1", 0))
-        return s.getsockname()[1]
-
-
 class Master:
     """A master of its own for some nodes, which can be restarted."""
 
     def __init__(self):
-        self.port = free_port()
+        self.port = node_process.free_port()
         self.uri = "http://127.0.0.1:%d" % self.port
         self.start()
 

@@ -103,6 +103,7 @@ class TestRecognizer(unittest.TestCase):
         for name, text in (("", "no known object in the image: "), ("cube", "no cube in the image: ")):
             reply = self.check(RecognizeResponse.NOT_FOUND, text, name=name)
             self.assertGreater(len(reply.text), len(text) + 5, "a reason is missing")
+            self.assertLess(reply.text.count("candidate"), 2, reply.text)
 
     def test_unknown_name(self):
         self.camera.image = None  # answered without an image

@@ -38,7 +38,9 @@ struct ObjectMapOptions {
   int forget_after_misses = 5;  ///< views in a row that should have shown an object and did not
   double expected_share = 0.7;  ///< of an object must be in view and free for that ...
   double expected_size = 40;    ///< ... at this size in the image at least [px] ...
-  double expected_border = 5;   ///< ... this far from the image's border [px]
+  double expected_border = 5;   ///< ... this far from the image's border [px] ...
+  /// ... and its centre where recognition looks for objects (min_distance, max_distance of its options) [m].
+  double expected_nearest = 0.25, expected_farthest = 2.5;
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
@@ -52,6 +54,7 @@ struct ObjectMapOptions {
     v("known_depth", known_depth), v("known_sigmas", known_sigmas);
     v("expected_share", expected_share), v("expected_size", expected_size),
         v("expected_border", expected_border);
+    v("expected_nearest", expected_nearest), v("expected_farthest", expected_farthest);
   }
 };
 
@@ -70,8 +73,9 @@ struct ObjectView {
   HandEye hand_eye;  ///< covariance zero: ObjectMapOptions::hand_eye stands in
   Camera camera;
   KnownSpace known;  ///< at that stamp
-  bool complete =
-      true;  ///< every object was looked for and the search ended by itself: what is missing counts
+  /// What is missing counts: every object was looked for, the search ended by itself, the camera stood, and
+  /// no hand was in the way.
+  bool complete = true;
   std::vector<SeenObject> objects;
 };
 
@@ -86,9 +90,11 @@ struct MappedObject {
   bool free_axis = false;                        ///< the rotation about the model's axis has no meaning
   double probability = 0;                        ///< the best of its views
   int views = 0;                                 ///< merged
-  int misses = 0;                                ///< in a row: views that should have shown it and did not
-  int outliers = 0;                              ///< in a row: views that contradict this pose
-  double first_stamp = 0, last_stamp = 0;        ///< of the views that showed it [s]
+  /// In a row: views that should have shown it and did not. From a camera place that never showed it they
+  /// count once.
+  int misses = 0;
+  int outliers = 0;                        ///< in a row: views that contradict this pose
+  double first_stamp = 0, last_stamp = 0;  ///< of the views that showed it [s]
 };
 
 enum class ViewOutcome {
@@ -159,6 +165,7 @@ class ObjectMap {
     MappedObject object;                    // as published after the last view
     Sighting merged;                        // all views together
     std::vector<Rigid3> base_from_cameras;  // of the merged views
+    std::vector<Rigid3> missed_from;        // camera places of the misses in a row
     std::vector<Sighting> outliers;         // in a row, agreeing with each other
     std::vector<Key> rivals;                // cannot be there together with it
     std::optional<Key> yields_to;           // the rival that is believed instead
@@ -182,6 +189,12 @@ class ObjectMap {
   void publish(Track* track) const;
   void countMisses(const ObjectView& view, const std::vector<char>& met, ViewReport* report);
   bool expected(const Track& track, const ObjectView& view) const;
+  bool oneOf(const std::vector<Rigid3>& base_from_cameras, const Rigid3& base_from_camera) const;
+  /// Whether a view that does not show the track as known says more than those from the places told_from. A
+  /// place that showed it so does each time: it was taken or moved. Another place errs in one way: once.
+  bool tellsOfChange(const Track& track, const Rigid3& base_from_camera,
+                     const std::vector<Rigid3>& told_from) const;
+  static std::vector<Rigid3> placesOf(const std::vector<Sighting>& sightings);
   const std::vector<Eigen::Vector3d>& core(int object);
   bool inOnePlace(const Track& a, const Track& b);
   void findRivals();
