@@ -37,7 +37,8 @@ bool expectedInView(const std::vector<PlacedModel>& objects, size_t index, const
   const std::vector<Eigen::Vector3d>& vertices = object.model->mesh.vertices;
   const Rigid3 camera_from_object = base_from_camera.inverse() * object.base_from_object;
   const double distance = (camera_from_object * object.model->centre()).norm();
-  if (distance < options.expected_nearest || distance > options.expected_farthest) return false;
+  const double nearest = std::max(options.expected_nearest, object.model->diameter);
+  if (distance < nearest || distance > options.expected_farthest) return false;
   const size_t step = std::max<size_t>(1, vertices.size() / kSamples);
   int all = 0, free = 0;
   Eigen::AlignedBox2d extent;

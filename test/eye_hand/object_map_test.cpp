@@ -144,7 +144,9 @@ TEST(ObjectMap, APlaceThatNeverShowedItMissesItOnce) {
 }
 
 TEST(ObjectMap, WhatCouldNotBeSeenIsKept) {
-  ObjectMap map(&models());
+  ObjectMapOptions options;
+  options.expected_nearest = 0.25;
+  ObjectMap map(&models(), options);
   const Rigid3 a = upright(0.45, 0);
   map.add(view(1, kLeft, kTarget, {{kBridge, a}}));
   for (int k = 0; k < 4; ++k)  // out of the image

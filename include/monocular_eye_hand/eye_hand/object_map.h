@@ -39,8 +39,9 @@ struct ObjectMapOptions {
   double expected_share = 0.7;  ///< of an object must be in view and free for that ...
   double expected_size = 40;    ///< ... at this size in the image at least [px] ...
   double expected_border = 5;   ///< ... this far from the image's border [px] ...
-  /// ... and its centre where recognition looks for objects (min_distance, max_distance of its options) [m].
-  double expected_nearest = 0.25, expected_farthest = 2.5;
+  /// ... and its centre where recognition looks for objects (min_distance, max_distance of its options, none
+  /// nearer than its diameter) [m].
+  double expected_nearest = 0.05, expected_farthest = 2.5;
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
