@@ -12,7 +12,7 @@ constexpr int kPerCell = 24;
 // Flat evidence a candidate must have collected after 4, 8 and all samples, in map units.
 constexpr int kAfter4 = int(-1.5f * kEvidenceUnit), kAfter8 = int(0.0f * kEvidenceUnit);
 constexpr int kAfterAll = int(6.0f * kEvidenceUnit);
-constexpr int kNever = -10000;
+constexpr int kNever = -10000;     // of a candidate that is given up
 constexpr int kOutsideValue = -4;  // a sample beyond the image says little
 
 struct FlatCandidate {

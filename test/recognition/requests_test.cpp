@@ -7,6 +7,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "same_result.h"
+#include "verified.h"
 #include "world.h"
 
 namespace monocular_eye_hand {
@@ -275,6 +276,21 @@ TEST_P(JudgedOn, rank_scores_are_what_the_header_says) {
 INSTANTIATE_TEST_SUITE_P(Pictures, JudgedOn,
                          testing::Values("demo/two_bridges_and_grenade", "demo/nothing_known"),
                          [](const auto& info) { return std::string(info.param).substr(5); });
+
+// A part of a third of the size at a third of the distance gives the same image.
+TEST(Options, small_parts_are_found_from_near) {
+  const Picture picture = shippedPicture("golden/grenade");  // stands at 0.45 m
+  const ObjectModel& full_size = shippedModel("grenade");
+  Mesh mesh = full_size.mesh;
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex /= 3;
+  ModelBase models;
+  models.objects.push_back(known("small grenade", mesh));
+  const RecognitionResult result = Recognizer(models, {}).recognize(picture.grey, picture.camera);
+  ASSERT_EQ(result.objects.size(), 1u) << result.reason;
+  const Eigen::Vector3d centre = result.objects[0].camera_from_object * models.objects[0].model.centre();
+  const Eigen::Vector3d truth = picture.truth.at(0).camera_from_object * full_size.centre() / 3;
+  EXPECT_LT((centre - truth).norm(), 0.002);
+}
 
 TEST(Options, nothing_is_looked_for_nearer_than_its_diameter) {
   RecognitionOptions options;
