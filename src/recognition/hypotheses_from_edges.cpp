@@ -116,6 +116,7 @@ void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
       ruler.dy = float(d.y()) * 0.5f;
       ruler.turn = int(std::lround(std::atan2(d.y(), d.x()) / M_PI * 256.0)) & 255;
       for (size_t l = 0; l < model.levels().size(); ++l) {
+        if (budget->spent()) break;
         const AnchorLevel& level = model.levels()[l];
         const double near = std::max(options.nearest(diameter), level.min_ratio * diameter);
         const double far = std::min(max_distance, level.max_ratio * diameter);
