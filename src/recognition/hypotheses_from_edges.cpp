@@ -116,14 +116,13 @@ void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
       ruler.dy = float(d.y()) * 0.5f;
       ruler.turn = int(std::lround(std::atan2(d.y(), d.x()) / M_PI * 256.0)) & 255;
       for (size_t l = 0; l < model.levels().size(); ++l) {
-        if (budget->spent()) break;
         const AnchorLevel& level = model.levels()[l];
         const double near = std::max(options.nearest(diameter), level.min_ratio * diameter);
         const double far = std::min(max_distance, level.max_ratio * diameter);
         const float shortest = float(length * near / focal), longest = float(length * far / focal);
         auto it = std::lower_bound(level.anchors.begin(), level.anchors.end(), shortest,
                                    [](const Anchor& a, float value) { return a.length < value; });
-        for (; it != level.anchors.end() && it->length <= longest; ++it) {
+        for (; it != level.anchors.end() && it->length <= longest && !budget->workSpent(); ++it) {
           budget->count();
           const int sum = flatEvidence(*it, ruler, image.map.half(), kBins);
           if (sum < kAfterAll) continue;

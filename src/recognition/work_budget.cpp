@@ -10,11 +10,6 @@ void WorkBudget::allow(int parts) {
   allowed_ = scored_ + std::max(0LL, limit_ - scored_) / std::max(parts, 1);
 }
 
-bool WorkBudget::spent() {
-  if (limit_ > 0 && scored_ >= allowed_) cut_by_work_ = true;
-  return (limit_ > 0 && scored_ >= allowed_) || outOfTime();
-}
-
 bool WorkBudget::outOfTime() {
   if (seconds_ <= 0) return false;
   const bool over = std::chrono::duration<double>(Clock::now() - start_).count() > seconds_;

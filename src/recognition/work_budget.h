@@ -20,7 +20,13 @@ class WorkBudget {
 
   /// Asked before more work is begun, never after the last of it: true when the part is used up or the time
   /// is over. What is then left undone is what the limits cut.
-  bool spent();
+  bool spent() { return workSpent() || outOfTime(); }
+  /// The same without a look at the clock, for steps that take no longer than that.
+  bool workSpent() {
+    if (limit_ <= 0 || scored_ < allowed_) return false;
+    cut_by_work_ = true;
+    return true;
+  }
   /// The same for work that is not counted: only the time.
   bool outOfTime();
 
