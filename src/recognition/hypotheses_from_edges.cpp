@@ -49,8 +49,8 @@ int flatEvidence(const Anchor& anchor, const Ruler& ruler, const EvidencePlanes&
       places[i] = u >= 0 && v >= 0 ? map.index(bins[anchor.angle[i] + ruler.turn], int(u), int(v)) : -1;
     }
     for (int i = first; i < kEnds[part]; ++i) {
-      const int seen = places[i] < 0 ? kOutside : map.value(places[i]);
-      sum += seen == kOutside ? kOutsideValue : seen;
+      const int8_t seen = places[i] < 0 ? kOutside : map.value(places[i]);
+      sum += seen == kOutside ? kOutsideValue : int(seen);  // NOLINT(bugprone-signed-char-misuse)
     }
     if (sum < kLeast[part]) return kNever;
     first = kEnds[part];
