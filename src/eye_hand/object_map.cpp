@@ -360,6 +360,7 @@ void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met
     const Track& track = tracks_[t];
     missed[t] = !met[t] && tellsOfChange(track, base_from_camera, track.missed_from) && expected(track, view);
   }
+
   std::vector<Track> kept;
   for (size_t t = 0; t < tracks_.size(); ++t) {
     Track& track = tracks_[t];

@@ -57,6 +57,7 @@ RectDomain rectDomain(const Camera& camera) {
   for (int v = 0; v < camera.height; v += 8) include(0, v), include(camera.width - 1, v);
   include(camera.width - 1, camera.height - 1);
   const double w = camera.width, h = camera.height;
+
   domain.u0 = int(std::floor(std::max(lo_u, -w / 2)));
   domain.v0 = int(std::floor(std::max(lo_v, -h / 2)));
   domain.width = int(std::ceil(std::min(hi_u, 1.5 * w))) - domain.u0 + 1;

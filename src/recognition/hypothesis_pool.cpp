@@ -37,6 +37,7 @@ void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const Evidence
   const Eigen::Vector2d uv = camera_.project(centre);
   const int x = int(std::floor(uv.x() / kCellSize)) + 1, y = int(std::floor(uv.y() / kCellSize)) + 1;
   if (x < 0 || y < 0 || x >= cells_x_ || y >= cells_y_) return;
+
   Hypothesis h;
   h.camera_from_object = model_.canonical(pose, &h.view);
   const CoarseScore score = scorePose(model_, h.view, h.camera_from_object, camera_, map);
@@ -68,6 +69,7 @@ std::vector<Hypothesis> HypothesisPool::take(int count) {
         return a.camera_from_object.translation[i] < b.camera_from_object.translation[i];
     return false;
   });
+
   // Near-duplicates share view, place, distance and roll to within what refinement bridges.
   std::map<std::tuple<int, int, int, int, int>, int> seen;
   std::vector<Hypothesis> kept;
@@ -86,6 +88,7 @@ std::vector<Hypothesis> HypothesisPool::take(int count) {
     if (seen[key]++) continue;
     kept.push_back(h);
   }
+
   for (auto& cell : cells_) {
     cell.erase(
         std::remove_if(cell.begin(), cell.end(), [&](const Hypothesis& h) { return h.evidence >= least; }),

@@ -242,6 +242,7 @@ void SearchModel::buildLookup() {
       if (off > widest) widest = off, meridian_ = azimuth(*symmetries.axis, v);
     }
   }
+
   lookup_.resize(6 * kLookupSide * kLookupSide);
   for (size_t cell = 0; cell < lookup_.size(); ++cell) {
     const Eigen::Vector3d d = cellDirection(int(cell));
@@ -268,6 +269,7 @@ Rigid3 SearchModel::canonical(const Rigid3& pose, int* view) const {
   const Eigen::Vector3d from_centre = eye - model().centre();
   const double distance = from_centre.norm();
   const Eigen::Vector3d direction = from_centre / std::max(distance, 1e-12);
+
   const Nearest nearest = lookup_[lookupCell(direction)];
   const SampledView& seen = object_->views.views[nearest.direction];
   Rigid3 result = nearest.symmetry ? pose * symmetries.discrete[nearest.symmetry] : pose;
@@ -282,6 +284,7 @@ Rigid3 SearchModel::canonical(const Rigid3& pose, int* view) const {
       result = result * turnAbout(axis, azimuth(axis, d) - meridian_);
     }
   }
+
   if (view) {
     int level = 0;
     double best = std::numeric_limits<double>::max();
