@@ -204,12 +204,14 @@ int EdgeRaster::find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, d
   int best = -1, last = -1;
   float best_score = 0;
   const float inverse_range = 1.0f / float(range + 1.0);
+
   for (int k = -steps; k <= steps; ++k) {
     const float fx = x0 + nx * float(k), fy = y0 + ny * float(k);
     if (!(fx >= 0 && fy >= 0 && fx < float(width_) && fy < float(height_))) continue;
     const int index = index_[size_t(int(fy)) * width_ + int(fx)];
     if (index < 0 || index == last) continue;
     last = index;
+
     const EdgePoint& p = points_[index];
     const float along = std::fabs(p.normal.x() * nx + p.normal.y() * ny);
     if (along < 0.906f) continue;
