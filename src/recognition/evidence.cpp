@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "recognition/shared_work.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -17,6 +20,7 @@ constexpr int kWindowBlocks = 2;  // the background window reaches this many blo
 constexpr double kLocalShare = 0.6;
 
 using Histogram = std::array<float, kClasses>;
+using EvidenceTable = std::array<int8_t, kClasses>;  // of a class, in map units
 
 cv::Mat distanceClasses(const cv::Mat& edges) {
   // Nested dilations give the class by counting: 4 = far from every edge, 0 = within a pixel.
@@ -29,14 +33,106 @@ cv::Mat distanceClasses(const cv::Mat& edges) {
   return classes;
 }
 
-std::array<int8_t, kClasses> evidenceTable(const Histogram& background) {
-  std::array<int8_t, kClasses> table;
+EvidenceTable evidenceTable(const Histogram& background) {
+  EvidenceTable table;
   for (int c = 0; c < kClasses; ++c) {
     const double nats = std::log(kGivenObject[c] / background[c]);
     table[c] = int8_t(std::clamp(std::lround(nats * kEvidenceUnit), -127L, 127L));
   }
   return table;
 }
+
+// Flags where the image covers a row of the domain; nullptr: everywhere.
+const uint8_t* validRow(const RectDomain& domain, int y) {
+  return domain.valid.empty() ? nullptr : domain.valid.ptr<uint8_t>(y);
+}
+
+// A mask for each orientation bin; every point counts for the two bins nearest its direction.
+std::vector<cv::Mat> edgesByOrientation(const FeatureSet& features, const RectDomain& domain) {
+  std::vector<cv::Mat> edges(kOrientationBins);
+  for (cv::Mat& mask : edges) mask = cv::Mat::zeros(domain.height, domain.width, CV_8U);
+  for (const EdgePoint& point : features.points) {
+    const int x = int(std::lround(point.uv.x())) - domain.u0;
+    const int y = int(std::lround(point.uv.y())) - domain.v0;
+    if (unsigned(x) >= unsigned(domain.width) || unsigned(y) >= unsigned(domain.height)) continue;
+    // Of the edge: the normal turned by 90 degrees.
+    double angle = std::atan2(point.normal.x(), -point.normal.y());
+    if (angle < 0) angle += M_PI;
+    const int low = int(angle / M_PI * kOrientationBins) % kOrientationBins;
+    edges[size_t(low)].at<uint8_t>(y, x) = 255;
+    edges[size_t(low + 1) % kOrientationBins].at<uint8_t>(y, x) = 255;
+  }
+  return edges;
+}
+
+// What the classes of one orientation say, block by block, measured in a window around the block.
+class Blocks {
+ public:
+  Blocks(const cv::Mat& classes, const RectDomain& domain)
+      : columns_((domain.width + kBlock - 1) / kBlock),
+        rows_((domain.height + kBlock - 1) / kBlock),
+        counts_(size_t(columns_) * size_t(rows_)),
+        tables_(counts_.size()) {
+    for (int y = 0; y < rows_; ++y)
+      for (int x = 0; x < columns_; ++x) count(classes, domain, x, y);
+    const Histogram all = overall();
+    for (int y = 0; y < rows_; ++y)
+      for (int x = 0; x < columns_; ++x) tables_[index(x, y)] = evidenceTable(around(x, y, all));
+  }
+
+  // Of the blocks that a row of pixels passes.
+  const EvidenceTable* tablesOfRow(int y) const { return &tables_[index(0, y / kBlock)]; }
+
+ private:
+  size_t index(int x, int y) const { return size_t(y) * size_t(columns_) + size_t(x); }
+
+  void count(const cv::Mat& classes, const RectDomain& domain, int block_x, int block_y) {
+    Histogram& histogram = counts_[index(block_x, block_y)];
+    histogram.fill(0);
+    for (int y = block_y * kBlock; y < std::min(domain.height, (block_y + 1) * kBlock); ++y) {
+      const uint8_t* row = classes.ptr<uint8_t>(y);
+      const uint8_t* valid = validRow(domain, y);
+      for (int x = block_x * kBlock; x < std::min(domain.width, (block_x + 1) * kBlock); ++x)
+        if (!valid || valid[x]) histogram[row[x]] += 1;
+    }
+  }
+
+  // Shares of the classes in the whole image.
+  Histogram overall() const {
+    Histogram all{};
+    for (const Histogram& histogram : counts_)
+      for (int c = 0; c < kClasses; ++c) all[size_t(c)] += histogram[size_t(c)];
+    float total = 0;
+    for (float n : all) total += n;
+    for (float& n : all) n = (n + 1.0f) / (total + kClasses);
+    return all;
+  }
+
+  // Shares of the classes around a block.
+  Histogram around(int block_x, int block_y, const Histogram& all) const {
+    Histogram local{};
+    float n = 0;
+    for (int y = std::max(0, block_y - kWindowBlocks); y <= std::min(rows_ - 1, block_y + kWindowBlocks); ++y)
+      for (int x = std::max(0, block_x - kWindowBlocks); x <= std::min(columns_ - 1, block_x + kWindowBlocks);
+           ++x)
+        for (int c = 0; c < kClasses; ++c) {
+          local[size_t(c)] += counts_[index(x, y)][size_t(c)];
+          n += counts_[index(x, y)][size_t(c)];
+        }
+    for (int c = 0; c < kClasses; ++c) {
+      float& share = local[size_t(c)];
+      const float here = n > 0 ? share / n : all[size_t(c)];
+      // Half a percent is kept for every class: an empty neighbourhood must not make one edge decisive.
+      share = float(kLocalShare) * here + float(1 - kLocalShare) * all[size_t(c)];
+      share = 0.975f * share + 0.005f;
+    }
+    return local;
+  }
+
+  int columns_, rows_;
+  std::vector<Histogram> counts_;
+  std::vector<EvidenceTable> tables_;
+};
 
 }  // namespace
 
@@ -97,73 +193,21 @@ EvidenceMap::EvidenceMap(const FeatureSet& features, const RectDomain& domain)
       v0_(domain.v0),
       full_(domain.width, domain.height),
       half_((domain.width + 1) / 2, (domain.height + 1) / 2) {
-  const int width = domain.width;
-  const int height = domain.height;
-  std::vector<cv::Mat> edges(kOrientationBins);
-  for (cv::Mat& mask : edges) mask = cv::Mat::zeros(height, width, CV_8U);
-  for (const EdgePoint& point : features.points) {
-    const int x = int(std::lround(point.uv.x())) - u0_, y = int(std::lround(point.uv.y())) - v0_;
-    if (unsigned(x) >= unsigned(width) || unsigned(y) >= unsigned(height)) continue;
-    double angle =
-        std::atan2(point.normal.x(), -point.normal.y());  // of the edge: normal turned by 90 degrees
-    if (angle < 0) angle += M_PI;
-    const int low = int(angle / M_PI * kOrientationBins) % kOrientationBins;
-    edges[low].at<uint8_t>(y, x) = 255;
-    edges[(low + 1) % kOrientationBins].at<uint8_t>(y, x) = 255;
-  }
-
-  const int blocks_x = (width + kBlock - 1) / kBlock, blocks_y = (height + kBlock - 1) / kBlock;
-  std::vector<Histogram> counts(size_t(blocks_x) * blocks_y);
-  std::vector<std::array<int8_t, kClasses>> tables(counts.size());
-  for (int bin = 0; bin < kOrientationBins; ++bin) {
-    const cv::Mat classes = distanceClasses(edges[bin]);
-    Histogram all{};
-    for (int by = 0; by < blocks_y; ++by)
-      for (int bx = 0; bx < blocks_x; ++bx) {
-        Histogram& h = counts[size_t(by) * blocks_x + bx];
-        h.fill(0);
-        for (int y = by * kBlock; y < std::min(height, (by + 1) * kBlock); ++y) {
-          const uint8_t* row = classes.ptr<uint8_t>(y);
-          const uint8_t* valid = domain.valid.empty() ? nullptr : domain.valid.ptr<uint8_t>(y);
-          for (int x = bx * kBlock; x < std::min(width, (bx + 1) * kBlock); ++x)
-            if (!valid || valid[x]) h[row[x]] += 1;
-        }
-        for (int c = 0; c < kClasses; ++c) all[c] += h[c];
-      }
-    float total = 0;
-    for (float n : all) total += n;
-    for (float& n : all) n = (n + 1.0f) / (total + kClasses);
-
-    for (int by = 0; by < blocks_y; ++by)
-      for (int bx = 0; bx < blocks_x; ++bx) {
-        Histogram local{};
-        float n = 0;
-        for (int y = std::max(0, by - kWindowBlocks); y <= std::min(blocks_y - 1, by + kWindowBlocks); ++y)
-          for (int x = std::max(0, bx - kWindowBlocks); x <= std::min(blocks_x - 1, bx + kWindowBlocks); ++x)
-            for (int c = 0; c < kClasses; ++c) {
-              local[c] += counts[size_t(y) * blocks_x + x][c];
-              n += counts[size_t(y) * blocks_x + x][c];
-            }
-        for (int c = 0; c < kClasses; ++c) {
-          const float here = n > 0 ? local[c] / n : all[c];
-          // Half a percent is kept for every class: an empty neighbourhood must not make one edge decisive.
-          local[c] = float(kLocalShare) * here + float(1 - kLocalShare) * all[c];
-          local[c] = 0.975f * local[c] + 0.005f;
-        }
-        tables[size_t(by) * blocks_x + bx] = evidenceTable(local);
-      }
-
-    for (int y = 0; y < height; ++y) {
+  const std::vector<cv::Mat> edges = edgesByOrientation(features, domain);
+  atOnce(kOrientationBins, [&](int bin) {
+    const cv::Mat classes = distanceClasses(edges[size_t(bin)]);
+    const Blocks blocks(classes, domain);
+    for (int y = 0; y < domain.height; ++y) {
       const uint8_t* row = classes.ptr<uint8_t>(y);
-      const uint8_t* valid = domain.valid.empty() ? nullptr : domain.valid.ptr<uint8_t>(y);
-      const auto* table = &tables[size_t(y / kBlock) * blocks_x];
-      for (int x = 0; x < width; ++x)
+      const uint8_t* valid = validRow(domain, y);
+      const EvidenceTable* table = blocks.tablesOfRow(y);
+      for (int x = 0; x < domain.width; ++x)
         if (!valid || valid[x]) full_.value(full_.index(bin, x, y)) = table[x / kBlock][row[x]];
     }
     for (int y = 0; y < half_.height(); ++y)
       for (int x = 0; x < half_.width(); ++x)
         half_.value(half_.index(bin, x, y)) = full_.at(bin, 2 * x, 2 * y);
-  }
+  });
 }
 
 EdgeRaster::EdgeRaster(const FeatureSet& features, const RectDomain& domain)

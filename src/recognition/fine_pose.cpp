@@ -6,6 +6,7 @@
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "recognition/alignment.h"
+#include "recognition/shared_work.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -54,12 +55,12 @@ std::vector<FinePose> refineChosen(const SearchTask& task, const std::vector<Can
       report->counts = {{"edge points", double(full->features.points.size())}};
     }
 
-    std::vector<FinePose> poses;
-    for (const Explanation& explanation : chosen) {
-      const Candidate& candidate = candidates[explanation.candidate];
-      poses.push_back(
-          refined(task.models[candidate.object], full ? *full : task.image, scale, candidate.pose));
-    }
+    std::vector<FinePose> poses(chosen.size());
+    atOnce(int(chosen.size()), [&](int i) {
+      const Candidate& candidate = candidates[chosen[size_t(i)].candidate];
+      poses[size_t(i)] =
+          refined(task.models[candidate.object], full ? *full : task.image, scale, candidate.pose);
+    });
     return poses;
   });
 }

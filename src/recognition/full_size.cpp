@@ -71,20 +71,23 @@ std::optional<FullSize> judgeInFull(const SearchTask& task, const ModelBase& bas
     report->counts["edge points"] = double(full.image.features.points.size());
 
     const SearchTask in_full{full.image, task.models, task.wanted, task.options, nullptr, task.support};
-    std::vector<Said> said;
-    for (int index : worthAFullLook(candidates, chosen)) {
+    const std::vector<int> worth = worthAFullLook(candidates, chosen);
+    std::vector<Start> starts;
+    for (int index : worth) {
       const Candidate& small = candidates[size_t(index)];
-      std::optional<Candidate> candidate = alignedCandidate(
-          in_full, small.object, small.pose.camera_from_object, {1.5 * scale, scale, 1.5}, full.candidates);
-      report->counts["verified"] += candidate.has_value();
-      if (!candidate) continue;
-      said.push_back({clearlyFor(small, task.options.decision), -kClear});
-      if (!bearsOut(in_full, &*candidate)) continue;
-
-      said.back().full = clearlyFor(*candidate, task.options.decision);
-      candidate->kind = small.kind;
-      full.candidates.push_back(std::move(*candidate));
+      starts.push_back({small.object, small.pose.camera_from_object, small.kind});
     }
+    WorkBudget no_limit;
+    std::vector<Judged> judged = judgeStarts(in_full, starts, {1.5 * scale, scale, 1.5}, {}, 0, &no_limit);
+
+    std::vector<Said> said;
+    for (size_t i = 0; i < judged.size(); ++i) {
+      if (!judged[i].aligned) continue;
+      const std::optional<Candidate>& in_full_size = judged[i].candidate;
+      said.push_back({clearlyFor(candidates[size_t(worth[i])], task.options.decision),
+                      in_full_size ? clearlyFor(*in_full_size, task.options.decision) : -kClear});
+    }
+    full.candidates = borneOut(std::move(judged), report);
     if (!fullSaysNoLess(said)) return std::nullopt;
     return full;
   });

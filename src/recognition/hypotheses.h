@@ -1,6 +1,8 @@
 #pragma once
+#include <utility>
 #include <vector>
 
+#include "recognition/best_of_places.h"
 #include "recognition/search_task.h"
 #include "recognition/work_budget.h"
 
@@ -14,6 +16,9 @@ struct Hypothesis {
   float evidence = 0;         ///< coarse plausibility, see scorePose
   float in_frame = 0;
   GroupingKind kind = GroupingKind::kEdge;  ///< of the pair it came from
+
+  /// More evidence; all that differ are ordered.
+  bool betterThan(const Hypothesis& other) const;
 };
 
 /// Keeps the best hypotheses of one object, spread over the image: a strong place cannot crowd out the
@@ -29,14 +34,18 @@ class HypothesisPool {
   /// next round.
   std::vector<Hypothesis> take(int count);
 
+  /// A pool for the same object that keeps nothing yet.
+  HypothesisPool emptied() const { return {task_, object_}; }
+  /// Takes up the hypotheses of another pool for the same object.
+  void add(HypothesisPool&& other) { best_.add(std::move(other.best_)); }
+
  private:
   SearchTask task_;
   int object_;
   const Camera& camera_;
   const SearchModel& model_;
   const RecognitionOptions& options_;
-  int cells_x_, cells_y_;
-  std::vector<std::vector<Hypothesis>> cells_;
+  BestOfPlaces<Hypothesis> best_;
 };
 
 /// Wong et al., 2.2, step 2: every image grouping with every model grouping of its kind, in every order that

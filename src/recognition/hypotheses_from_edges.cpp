@@ -1,29 +1,53 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
+#include "recognition/best_of_places.h"
 #include "recognition/hypotheses.h"
+#include "recognition/shared_work.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 constexpr double kMinSegment = 14.0;  // shortest segment that fixes roll and scale well enough [px]
-constexpr double kCell = 32.0;        // places among which the flat candidates are spread [px]
-constexpr int kPerCell = 24;
+constexpr int kPerPlace = 24;         // flat candidates
 // Flat evidence a candidate must have collected after 4, 8 and all samples, in map units.
 constexpr int kAfter4 = int(-1.5f * kEvidenceUnit), kAfter8 = int(0.0f * kEvidenceUnit);
 constexpr int kAfterAll = int(6.0f * kEvidenceUnit);
 constexpr int kNever = -10000;     // of a candidate that is given up
 constexpr int kOutsideValue = -4;  // a sample beyond the image says little
 
-struct FlatCandidate {
-  float score = 0;
-  int level = 0, anchor = 0, segment = 0;
-  bool reversed = false;
-};
-
+// A segment, from one of its ends, as a ruler for the views.
 struct Ruler {
+  Eigen::Vector2d p, q;  // its ends [uv_rect px]
   float px, py, dx, dy;  // first end and extent in half-resolution map pixels
   int turn;              // direction in 256ths of pi, plus the rounding of a bin
+};
+
+// A ruler of a view laid on one of the image.
+struct FlatCandidate {
+  float score = 0;
+  int ruler = 0, level = 0, anchor = 0;
+
+  bool betterThan(const FlatCandidate& other) const {
+    if (score != other.score) return score > other.score;
+    return std::tie(ruler, level, anchor) < std::tie(other.ruler, other.level, other.anchor);
+  }
+};
+
+// The best flat candidates of every place.
+struct FlatCandidates {
+  const SearchImage& image;
+  BestOfPlaces<FlatCandidate> best{image.camera.width, image.camera.height, kPerPlace};
+
+  FlatCandidates emptied() const { return {image}; }
+  void add(FlatCandidates&& other) { best.add(std::move(other.best)); }
+};
+
+// Anchors of one level that may be as long as a ruler, where the part may be.
+struct Fitting {
+  size_t first = 0, last = 0;
 };
 
 // orientation of (anchor angle + turn) -> bin
@@ -58,10 +82,12 @@ int flatEvidence(const Anchor& anchor, const Ruler& ruler, const EvidencePlanes&
   return sum;
 }
 
-// The pose that lays the flat template on the segment p -> q (uv_rect).
-Rigid3 poseFromRuler(const SearchModel& model, const Anchor& anchor, const Eigen::Vector2d& p,
-                     const Eigen::Vector2d& q, const Camera& camera) {
-  const Eigen::Vector2d ab = (anchor.b - anchor.a).cast<double>(), pq = q - p;
+// The pose that lays the flat template on the ruler.
+Rigid3 poseFromRuler(const SearchModel& model, const Anchor& anchor, const Ruler& ruler,
+                     const Camera& camera) {
+  const Eigen::Vector2d& p = ruler.p;
+  const Eigen::Vector2d ab = (anchor.b - anchor.a).cast<double>();
+  const Eigen::Vector2d pq = ruler.q - p;
   const double scale = pq.norm() / ab.norm();  // px per metre at the object's centre
   const double roll = std::atan2(pq.y(), pq.x()) - std::atan2(ab.y(), ab.x());
   const Eigen::Vector2d centre_uv =
@@ -78,86 +104,106 @@ Rigid3 poseFromRuler(const SearchModel& model, const Anchor& anchor, const Eigen
   return pose;
 }
 
-// The segments that may serve as rulers.
-std::vector<int> longestFirst(const std::vector<LineSegment>& segments, const std::vector<char>& usable) {
+// Segments from both ends, the longest first.
+std::vector<Ruler> rulersOf(const SearchImage& image, const std::vector<char>& usable) {
+  const std::vector<LineSegment>& segments = image.features.segments;
   std::vector<int> order;
   for (size_t s = 0; s < segments.size(); ++s)
     if (usable[s] && segments[s].length() >= kMinSegment) order.push_back(int(s));
   std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return segments[a].length() > segments[b].length(); });
-  return order;
+                   [&](int a, int b) { return segments[size_t(a)].length() > segments[size_t(b)].length(); });
+
+  std::vector<Ruler> rulers;
+  const auto add = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+    const Eigen::Vector2d d = q - p;
+    Ruler ruler{p, q, 0, 0, float(d.x()) * 0.5f, float(d.y()) * 0.5f, 0};
+    ruler.px = float(p.x() - image.map.u0()) * 0.5f + 0.5f;
+    ruler.py = float(p.y() - image.map.v0()) * 0.5f + 0.5f;
+    ruler.turn = int(std::lround(std::atan2(d.y(), d.x()) / M_PI * 256.0)) & 255;
+    rulers.push_back(ruler);
+  };
+  for (int s : order) {
+    add(segments[size_t(s)].p, segments[size_t(s)].q);
+    add(segments[size_t(s)].q, segments[size_t(s)].p);
+  }
+  return rulers;
 }
+
+Fitting fittingAnchors(const AnchorLevel& level, double length, double near, double far) {
+  const auto shorter = [](const Anchor& anchor, double value) { return double(anchor.length) < value; };
+  const auto first = std::lower_bound(level.anchors.begin(), level.anchors.end(), length * near, shorter);
+  const auto longer = [](double value, const Anchor& anchor) { return value < double(anchor.length); };
+  const auto last = std::upper_bound(first, level.anchors.end(), length * far, longer);
+  return {size_t(first - level.anchors.begin()), size_t(last - level.anchors.begin())};
+}
+
+// A search for the views of one object along the rulers of an image.
+struct RulerSearch {
+  const SearchImage& image;
+  const SearchModel& model;
+  double near, far;  // eye distances looked at [m]
+  const std::vector<Ruler>& rulers;
+
+  void lay(int r, FlatCandidates* found, WorkBudget* budget) const {
+    const Camera& camera = image.camera;
+    const double focal = std::sqrt(camera.fx * camera.fy);
+    const double diameter = model.model().diameter;
+    const double length = (rulers[size_t(r)].q - rulers[size_t(r)].p).norm();
+    for (size_t l = 0; l < model.levels().size(); ++l) {
+      const AnchorLevel& level = model.levels()[l];
+      const double nearest = std::max(near, level.min_ratio * diameter);
+      const double farthest = std::min(far, level.max_ratio * diameter);
+      const Fitting fitting = fittingAnchors(level, length, nearest / focal, farthest / focal);
+      for (size_t a = fitting.first; a < fitting.last && !budget->workSpent(); ++a)
+        layAnchor(r, int(l), int(a), float(length), found, budget);
+    }
+  }
+
+ private:
+  void layAnchor(int r, int l, int a, float length, FlatCandidates* found, WorkBudget* budget) const {
+    static const std::array<uint8_t, 512> kBins = makeBinTable();
+    const Ruler& ruler = rulers[size_t(r)];
+    const Anchor& anchor = model.levels()[size_t(l)].anchors[size_t(a)];
+    budget->count();
+    const int sum = flatEvidence(anchor, ruler, image.map.half(), kBins);
+    if (sum < kAfterAll) return;
+
+    // The object's centre decides the place; of one beyond the image the nearest in it.
+    const float u = 2 * (ruler.px + ruler.dx * anchor.centre_x - ruler.dy * anchor.centre_y);
+    const float v = 2 * (ruler.py + ruler.dx * anchor.centre_y + ruler.dy * anchor.centre_x);
+    const float score = float(sum) * anchor.contour / anchor.length * length;
+    found->best.offer(std::clamp(u, 0.0f, float(image.camera.width - 1)),
+                      std::clamp(v, 0.0f, float(image.camera.height - 1)), {score, r, l, a});
+  }
+};
 
 }  // namespace
 
 void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
                          const RecognitionOptions& options, const std::vector<char>& usable,
                          HypothesisPool* pool, WorkBudget* budget) {
-  static const std::array<uint8_t, 512> kBins = makeBinTable();
   const Camera& camera = image.camera;
-  const double focal = std::sqrt(camera.fx * camera.fy), diameter = model.model().diameter;
-  const double max_distance = std::min(options.max_distance, diameter * focal / options.min_size);
-  const int cells_x = int(std::ceil(camera.width / kCell)), cells_y = int(std::ceil(camera.height / kCell));
-  std::vector<std::vector<FlatCandidate>> cells(size_t(cells_x) * cells_y);
-  const auto better = [](const FlatCandidate& a, const FlatCandidate& b) { return a.score > b.score; };
+  const double focal = std::sqrt(camera.fx * camera.fy);
+  const double diameter = model.model().diameter;
+  const double far = std::min(options.max_distance, diameter * focal / options.min_size);
+  const std::vector<Ruler> rulers = rulersOf(image, usable);
+  const RulerSearch search{image, model, options.nearest(diameter), far, rulers};
 
-  const auto& segments = image.features.segments;
-  for (int s : longestFirst(segments, usable)) {
-    if (budget->spent()) break;
-    const double length = segments[s].length();
-    for (int reversed = 0; reversed < 2; ++reversed) {
-      const Eigen::Vector2d p = reversed ? segments[s].q : segments[s].p;
-      const Eigen::Vector2d q = reversed ? segments[s].p : segments[s].q;
-      const Eigen::Vector2d d = q - p;
-      Ruler ruler;
-      ruler.px = float(p.x() - image.map.u0()) * 0.5f + 0.5f;
-      ruler.py = float(p.y() - image.map.v0()) * 0.5f + 0.5f;
-      ruler.dx = float(d.x()) * 0.5f;
-      ruler.dy = float(d.y()) * 0.5f;
-      ruler.turn = int(std::lround(std::atan2(d.y(), d.x()) / M_PI * 256.0)) & 255;
-      for (size_t l = 0; l < model.levels().size(); ++l) {
-        const AnchorLevel& level = model.levels()[l];
-        const double near = std::max(options.nearest(diameter), level.min_ratio * diameter);
-        const double far = std::min(max_distance, level.max_ratio * diameter);
-        const float shortest = float(length * near / focal), longest = float(length * far / focal);
-        auto it = std::lower_bound(level.anchors.begin(), level.anchors.end(), shortest,
-                                   [](const Anchor& a, float value) { return a.length < value; });
-        for (; it != level.anchors.end() && it->length <= longest && !budget->workSpent(); ++it) {
-          budget->count();
-          const int sum = flatEvidence(*it, ruler, image.map.half(), kBins);
-          if (sum < kAfterAll) continue;
-          FlatCandidate candidate;
-          candidate.score = float(sum) * it->contour / it->length * float(length);
-          // The object's centre decides the place.
-          const float cu = 2 * (ruler.px + ruler.dx * it->centre_x - ruler.dy * it->centre_y);
-          const float cv = 2 * (ruler.py + ruler.dx * it->centre_y + ruler.dy * it->centre_x);
-          const int x = std::clamp(int(cu / kCell), 0, cells_x - 1),
-                    y = std::clamp(int(cv / kCell), 0, cells_y - 1);
-          auto& cell = cells[size_t(y) * cells_x + x];
-          candidate.level = int(l);
-          candidate.anchor = int(it - level.anchors.begin());
-          candidate.segment = s;
-          candidate.reversed = reversed;
-          if (int(cell.size()) < kPerCell) {
-            cell.push_back(candidate);
-            std::push_heap(cell.begin(), cell.end(), better);
-          } else if (candidate.score > cell.front().score) {
-            std::pop_heap(cell.begin(), cell.end(), better);
-            cell.back() = candidate;
-            std::push_heap(cell.begin(), cell.end(), better);
-          }
-        }
-      }
+  FlatCandidates flat{image};
+  gather(&flat, budget, [&](const Share& share, WorkBudget* part, FlatCandidates* found) {
+    for (int r = share.first; r < int(rulers.size()) && !part->spent(); r += share.step)
+      search.lay(r, found, part);
+  });
+
+  const std::vector<FlatCandidate> candidates = flat.best.all();
+  gather(pool, budget, [&](const Share& share, WorkBudget* part, HypothesisPool* best) {
+    for (size_t i = size_t(share.first); i < candidates.size(); i += size_t(share.step)) {
+      const FlatCandidate& c = candidates[i];
+      const Anchor& anchor = model.levels()[size_t(c.level)].anchors[size_t(c.anchor)];
+      best->offer(poseFromRuler(model, anchor, rulers[size_t(c.ruler)], camera), GroupingKind::kEdge,
+                  image.map, part);
     }
-  }
-  for (const auto& cell : cells)
-    for (const FlatCandidate& c : cell) {
-      const LineSegment& segment = segments[c.segment];
-      const Anchor& anchor = model.levels()[c.level].anchors[c.anchor];
-      pool->offer(c.reversed ? poseFromRuler(model, anchor, segment.q, segment.p, camera)
-                             : poseFromRuler(model, anchor, segment.p, segment.q, camera),
-                  GroupingKind::kEdge, image.map, budget);
-    }
+  });
 }
 
 }  // namespace monocular_eye_hand

@@ -3,6 +3,7 @@
 
 #include "recognition/hypotheses.h"
 #include "recognition/pair_poses.h"
+#include "recognition/shared_work.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -39,21 +40,31 @@ std::vector<RankedGrouping> rankGroupings(const SearchImage& image, int object, 
   return ranked;
 }
 
+// The poses that lay the grouping over those of the model.
+void offerGrouping(const SearchImage& image, const RankedGrouping& ranked, const SearchModel& model,
+                   HypothesisPool* pool, WorkBudget* budget) {
+  const Grouping& seen = *ranked.seen;
+  std::vector<Rigid3> poses;
+  for (const ModelGrouping& known : model.groupings()) {
+    if (known.points.size() != seen.points.size()) continue;
+    for (const Correspondence& order : correspondences(seen, known)) {
+      if (budget->spent()) return;
+      poses.clear();
+      posesOfPair(image, model.model(), {seen, known, order}, &poses);
+      for (const Rigid3& pose : poses) pool->offer(pose, seen.kind, image.map, budget);
+    }
+  }
+}
+
 }  // namespace
 
 void hypothesesFromGroupings(const SearchImage& image, int object, const SearchModel& model,
                              HypothesisPool* pool, WorkBudget* budget) {
-  std::vector<Rigid3> poses;
-  for (const RankedGrouping& ranked : rankGroupings(image, object, model))
-    for (const ModelGrouping& known : model.groupings()) {
-      if (known.points.size() != ranked.seen->points.size()) continue;
-      for (const Correspondence& order : correspondences(*ranked.seen, known)) {
-        if (budget->spent()) return;
-        poses.clear();
-        posesOfPair(image, model.model(), {*ranked.seen, known, order}, &poses);
-        for (const Rigid3& pose : poses) pool->offer(pose, ranked.seen->kind, image.map, budget);
-      }
-    }
+  const std::vector<RankedGrouping> ranked = rankGroupings(image, object, model);
+  gather(pool, budget, [&](const Share& share, WorkBudget* part, HypothesisPool* best) {
+    for (size_t i = size_t(share.first); i < ranked.size(); i += size_t(share.step))
+      offerGrouping(image, ranked[i], model, best, part);
+  });
 }
 
 }  // namespace monocular_eye_hand

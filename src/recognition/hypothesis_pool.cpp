@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -9,11 +10,26 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kCellSize = 32.0;  // side of a place [px]
-constexpr int kPerCell = 40;
+constexpr int kPerPlace = 40;
 constexpr float kMinEvidence = 4.0f;  // nats: below, nothing in the image speaks for the pose
 
+// Numbers that tell a pose from any other, in an order of their own.
+auto numbers(const Rigid3& pose) {
+  std::array<double, 12> all;
+  std::copy_n(pose.translation.data(), 3, all.begin());
+  std::copy_n(pose.rotation.data(), 9, all.begin() + 3);
+  return all;
+}
+
 }  // namespace
+
+bool Hypothesis::betterThan(const Hypothesis& other) const {
+  if (evidence != other.evidence) return evidence > other.evidence;
+  if (view != other.view) return view < other.view;
+  const auto mine = numbers(camera_from_object);
+  const auto others = numbers(other.camera_from_object);
+  return mine != others ? mine < others : kind < other.kind;
+}
 
 HypothesisPool::HypothesisPool(const SearchTask& task, int object)
     : task_(task),
@@ -21,9 +37,7 @@ HypothesisPool::HypothesisPool(const SearchTask& task, int object)
       camera_(task.image.camera),
       model_(task.models[object]),
       options_(task.options),
-      cells_x_(int(std::ceil(camera_.width / kCellSize)) + 2),
-      cells_y_(int(std::ceil(camera_.height / kCellSize)) + 2),
-      cells_(size_t(cells_x_) * cells_y_) {}
+      best_(camera_.width, camera_.height, kPerPlace) {}
 
 void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const EvidenceMap& map,
                            WorkBudget* budget) {
@@ -35,8 +49,7 @@ void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const Evidence
   if (!(centre.z() > 0) || distance < options_.nearest(diameter) || distance > options_.max_distance) return;
   if (diameter * camera_.fx / distance < options_.min_size) return;
   const Eigen::Vector2d uv = camera_.project(centre);
-  const int x = int(std::floor(uv.x() / kCellSize)) + 1, y = int(std::floor(uv.y() / kCellSize)) + 1;
-  if (x < 0 || y < 0 || x >= cells_x_ || y >= cells_y_) return;
+  if (!best_.hasPlace(uv.x(), uv.y())) return;
 
   Hypothesis h;
   h.camera_from_object = model_.canonical(pose, &h.view);
@@ -45,30 +58,12 @@ void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const Evidence
   h.evidence = score.evidence;
   h.in_frame = score.in_frame;
   h.kind = kind;
-  auto& cell = cells_[size_t(y) * cells_x_ + x];
-  const auto better = [](const Hypothesis& a, const Hypothesis& b) { return a.evidence > b.evidence; };
-  if (int(cell.size()) < kPerCell) {
-    cell.push_back(h);
-    std::push_heap(cell.begin(), cell.end(), better);
-  } else if (h.evidence > cell.front().evidence) {
-    std::pop_heap(cell.begin(), cell.end(), better);
-    cell.back() = h;
-    std::push_heap(cell.begin(), cell.end(), better);
-  }
+  best_.offer(uv.x(), uv.y(), h);
 }
 
 std::vector<Hypothesis> HypothesisPool::take(int count) {
-  std::vector<Hypothesis> all;
-  for (const auto& cell : cells_) all.insert(all.end(), cell.begin(), cell.end());
-  const auto better = [](const Hypothesis& a, const Hypothesis& b) { return a.evidence > b.evidence; };
-  std::sort(all.begin(), all.end(), [](const Hypothesis& a, const Hypothesis& b) {
-    if (a.evidence != b.evidence) return a.evidence > b.evidence;
-    if (a.view != b.view) return a.view < b.view;
-    for (int i = 0; i < 3; ++i)
-      if (a.camera_from_object.translation[i] != b.camera_from_object.translation[i])
-        return a.camera_from_object.translation[i] < b.camera_from_object.translation[i];
-    return false;
-  });
+  std::vector<Hypothesis> all = best_.all();
+  std::sort(all.begin(), all.end(), [](const Hypothesis& a, const Hypothesis& b) { return a.betterThan(b); });
 
   // Near-duplicates share view, place, distance and roll to within what refinement bridges.
   std::map<std::tuple<int, int, int, int, int>, int> seen;
@@ -89,12 +84,7 @@ std::vector<Hypothesis> HypothesisPool::take(int count) {
     kept.push_back(h);
   }
 
-  for (auto& cell : cells_) {
-    cell.erase(
-        std::remove_if(cell.begin(), cell.end(), [&](const Hypothesis& h) { return h.evidence >= least; }),
-        cell.end());
-    std::make_heap(cell.begin(), cell.end(), better);
-  }
+  best_.removeIf([&](const Hypothesis& h) { return h.evidence >= least; });
   return kept;
 }
 

@@ -8,6 +8,7 @@
 #include "recognition/alignment.h"
 #include "recognition/decision.h"
 #include "recognition/search_trace.h"
+#include "recognition/shared_work.h"
 #include "recognition/support.h"
 #include "recognition/verification.h"
 
@@ -25,25 +26,34 @@ struct AlignedHypothesis {
   Eigen::Vector2d centre;  // of the object, in the image [uv_rect px]
 };
 
-// Moved onto the edges, the most telling first.
+// Moved onto the edges; nothing when it cannot be, or little speaks for it there.
+std::optional<AlignedHypothesis> alignedHypothesis(const SearchTask& task, const SearchModel& model,
+                                                   Hypothesis h) {
+  const SearchImage& image = task.image;
+  const std::optional<ViewedPose> moved = alignCoarsely(model, image, {h.camera_from_object, h.view});
+  if (!moved) return std::nullopt;
+
+  const auto& [pose, view] = *moved;
+  const CoarseScore score = scorePose(model, view, pose, image.camera, image.map);
+  if (score.evidence < float(kMinEvidence) || score.in_frame < task.options.min_in_frame) return std::nullopt;
+  h.camera_from_object = pose;
+  h.view = view;
+  h.evidence = score.evidence;
+  return AlignedHypothesis{h, image.camera.project(pose * model.model().centre())};
+}
+
+// The most telling first.
 std::vector<AlignedHypothesis> alignHypotheses(const SearchTask& task, const SearchModel& model,
                                                const std::vector<Hypothesis>& hypotheses,
                                                WorkBudget* budget) {
-  const SearchImage& image = task.image;
-  std::vector<AlignedHypothesis> aligned;
-  for (Hypothesis h : hypotheses) {
-    if (budget->outOfTime()) break;
-    const std::optional<ViewedPose> moved = alignCoarsely(model, image, {h.camera_from_object, h.view});
-    if (!moved) continue;
+  std::vector<std::optional<AlignedHypothesis>> moved(hypotheses.size());
+  atOnce(int(hypotheses.size()), budget, [&](int i, WorkBudget* part) {
+    if (!part->outOfTime()) moved[size_t(i)] = alignedHypothesis(task, model, hypotheses[size_t(i)]);
+  });
 
-    const auto& [pose, view] = *moved;
-    const CoarseScore score = scorePose(model, view, pose, image.camera, image.map);
-    if (score.evidence < float(kMinEvidence) || score.in_frame < task.options.min_in_frame) continue;
-    h.camera_from_object = pose;
-    h.view = view;
-    h.evidence = score.evidence;
-    aligned.push_back({h, image.camera.project(pose * model.model().centre())});
-  }
+  std::vector<AlignedHypothesis> aligned;
+  for (const std::optional<AlignedHypothesis>& one : moved)
+    if (one) aligned.push_back(*one);
   std::stable_sort(aligned.begin(), aligned.end(), [](const auto& a, const auto& b) {
     return a.hypothesis.evidence > b.hypothesis.evidence;
   });
@@ -66,24 +76,38 @@ std::vector<AlignedHypothesis> distinctPoses(const SearchTask& task, const Searc
   return kept;
 }
 
-bool isKnown(const SearchTask& task, int object, const Rigid3& camera_from_object,
-             const std::vector<Candidate>& known, double distance) {
-  return std::any_of(known.begin(), known.end(), [&](const Candidate& candidate) {
-    return candidate.object == object &&
-           task.models[object].poseDistance(task.image.camera, candidate.pose.camera_from_object,
-                                            camera_from_object) < distance;
-  });
-}
+// The candidates that a start may lead to: those known before, and those from starts before it.
+class Known {
+ public:
+  Known(const SearchTask& task, const std::vector<Candidate>& before, const std::vector<Judged>& judged)
+      : task_(task), before_(before), judged_(judged) {}
 
-}  // namespace
+  // Whether the pose is nearer to one of them than so many pixels.
+  bool contains(int object, const Rigid3& pose, double distance) const {
+    const auto same = [&](const Candidate& candidate) {
+      return candidate.object == object &&
+             task_.models[size_t(object)].poseDistance(task_.image.camera, candidate.pose.camera_from_object,
+                                                       pose) < distance;
+    };
+    return std::any_of(before_.begin(), before_.end(), same) ||
+           std::any_of(judged_.begin(), judged_.end(),
+                       [&](const Judged& j) { return j.candidate && same(*j.candidate); });
+  }
 
-std::optional<Candidate> alignedCandidate(const SearchTask& task, int object, const Rigid3& start,
-                                          const std::vector<double>& ranges,
-                                          const std::vector<Candidate>& known) {
-  const SearchModel& model = task.models[object];
+ private:
+  const SearchTask& task_;
+  const std::vector<Candidate>& before_;
+  const std::vector<Judged>& judged_;
+};
+
+// The start moved onto the edges; nothing when it cannot be, or is not admissible there.
+std::optional<Candidate> alignedCandidate(const SearchTask& task, const Start& start,
+                                          const std::vector<double>& ranges) {
+  const SearchModel& model = task.models[size_t(start.object)];
   Candidate candidate;
-  candidate.object = object;
-  candidate.pose = alignFinely(model, task.image, start, ranges, kFineStep);
+  candidate.object = start.object;
+  candidate.kind = start.kind;
+  candidate.pose = alignFinely(model, task.image, start.camera_from_object, ranges, kFineStep);
   if (!candidate.pose.well_posed) return std::nullopt;
 
   candidate.pose.camera_from_object = model.canonical(candidate.pose.camera_from_object, &candidate.view);
@@ -91,8 +115,52 @@ std::optional<Candidate> alignedCandidate(const SearchTask& task, int object, co
   const double distance = (pose * model.model().centre()).norm();
   if (distance < task.options.nearest(model.model().diameter) || distance > task.options.max_distance)
     return std::nullopt;
-  if (!model.seenFromOutside(pose) || isKnown(task, object, pose, known, kSameEnd)) return std::nullopt;
+  if (!model.seenFromOutside(pose)) return std::nullopt;
   return candidate;
+}
+
+}  // namespace
+
+std::vector<Judged> judgeStarts(const SearchTask& task, const std::vector<Start>& starts,
+                                const std::vector<double>& ranges, const std::vector<Candidate>& known,
+                                double same_start, WorkBudget* budget) {
+  std::vector<Judged> judged;
+  const Known so_far(task, known, judged);
+  const auto begun = [&](const Start& start) {
+    return so_far.contains(start.object, start.camera_from_object, same_start);
+  };
+  const auto ended = [&](const Candidate& candidate) {
+    return so_far.contains(candidate.object, candidate.pose.camera_from_object, kSameEnd);
+  };
+
+  // As many at once as there are threads, on what is known before them; then in their order, on all.
+  const size_t most = size_t(threadsHere());
+  while (judged.size() < starts.size()) {
+    const size_t first = judged.size();
+    const int count = int(std::min(most, starts.size() - first));
+    std::vector<std::optional<Candidate>> aligned(size_t(count), std::nullopt);
+    std::vector<char> borne_out(size_t(count), 0);
+    atOnce(count, budget, [&](int i, WorkBudget* part) {
+      const Start& start = starts[first + size_t(i)];
+      std::optional<Candidate>& candidate = aligned[size_t(i)];
+      if (begun(start) || part->outOfTime()) return;
+      candidate = alignedCandidate(task, start, ranges);
+      if (candidate && ended(*candidate)) candidate.reset();
+      if (candidate) borne_out[size_t(i)] = bearsOut(task, &*candidate);
+    });
+
+    for (int i = 0; i < count; ++i) {
+      std::optional<Candidate>& candidate = aligned[size_t(i)];
+      if (candidate && (begun(starts[first + size_t(i)]) || ended(*candidate))) candidate.reset();
+      judged.push_back({candidate.has_value(), std::nullopt});
+      if (!candidate) continue;
+      note(task, SearchStage::kVerified, candidate->object, candidate->pose.camera_from_object);
+      if (!borne_out[size_t(i)]) continue;
+      note(task, SearchStage::kRecorded, candidate->object, candidate->pose.camera_from_object);
+      judged.back().candidate = std::move(candidate);
+    }
+  }
+  return judged;
 }
 
 void weighAlone(const SearchTask& task, Candidate* candidate) {
@@ -114,7 +182,8 @@ bool bearsOut(const SearchTask& task, Candidate* candidate) {
 }
 
 std::vector<Candidate> judgeHypotheses(const SearchTask& task, int object, HypothesisPool* pool, int count,
-                                       std::vector<Candidate> known, WorkBudget* budget, StageLog* log) {
+                                       const std::vector<Candidate>& known, WorkBudget* budget,
+                                       StageLog* log) {
   const SearchModel& model = task.models[object];
   const std::vector<AlignedHypothesis> aligned = log->timed("coarse alignment", [&](StageReport* report) {
     const std::vector<Hypothesis> hypotheses = pool->take(count);
@@ -127,40 +196,36 @@ std::vector<Candidate> judgeHypotheses(const SearchTask& task, int object, Hypot
     return moved;
   });
 
-  log->timed("verification", [&](StageReport* report) {
-    for (const AlignedHypothesis& a : distinctPoses(task, model, aligned)) {
-      if (isKnown(task, object, a.hypothesis.camera_from_object, known, kSameStart)) continue;
-      if (budget->outOfTime()) break;
-      std::optional<Candidate> candidate =
-          alignedCandidate(task, object, a.hypothesis.camera_from_object, kFineRanges, known);
-      report->counts["verified"] += candidate.has_value();
-      if (!candidate) continue;
-
-      note(task, SearchStage::kVerified, object, candidate->pose.camera_from_object);
-      candidate->kind = a.hypothesis.kind;
-      if (!bearsOut(task, &*candidate)) continue;
-      note(task, SearchStage::kRecorded, object, candidate->pose.camera_from_object);
-      known.push_back(std::move(*candidate));
-    }
+  return log->timed("verification", [&](StageReport* report) {
+    std::vector<Start> starts;
+    for (const AlignedHypothesis& a : distinctPoses(task, model, aligned))
+      starts.push_back({object, a.hypothesis.camera_from_object, a.hypothesis.kind});
+    return borneOut(judgeStarts(task, starts, kFineRanges, known, kSameStart, budget), report);
   });
-  return known;
 }
 
 std::vector<Candidate> judgeProposals(const SearchTask& task, const std::vector<PoseProposal>& proposals,
                                       StageLog* log) {
   return log->timed("verification", [&](StageReport* report) {
-    std::vector<Candidate> candidates;
+    std::vector<Start> starts;
     for (const PoseProposal& proposal : proposals) {
       if (proposal.object < 0 || proposal.object >= int(task.models.size()))
         throw BadInput("a pose is proposed for object " + std::to_string(proposal.object) +
                        ", the model base has " + std::to_string(task.models.size()));
-      std::optional<Candidate> candidate =
-          alignedCandidate(task, proposal.object, proposal.camera_from_object, kProposalRanges, candidates);
-      report->counts["verified"] += candidate.has_value();
-      if (candidate && bearsOut(task, &*candidate)) candidates.push_back(std::move(*candidate));
+      starts.push_back({proposal.object, proposal.camera_from_object});
     }
-    return candidates;
+    WorkBudget no_limit;
+    return borneOut(judgeStarts(task, starts, kProposalRanges, {}, 0, &no_limit), report);
   });
+}
+
+std::vector<Candidate> borneOut(std::vector<Judged> judged, StageReport* report) {
+  std::vector<Candidate> candidates;
+  for (Judged& one : judged) {
+    report->counts["verified"] += one.aligned;
+    if (one.candidate) candidates.push_back(std::move(*one.candidate));
+  }
+  return candidates;
 }
 
 }  // namespace monocular_eye_hand

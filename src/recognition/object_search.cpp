@@ -1,9 +1,12 @@
 #include "recognition/object_search.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "recognition/explained_features.h"
 #include "recognition/judging.h"
+#include "recognition/shared_work.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -27,46 +30,60 @@ std::vector<char> unexplainedSegments(const FeatureSet& features, const std::vec
   return unexplained;
 }
 
+struct Round {
+  const char* proposing;  // name of its first stage
+  int judged;             // hypotheses of each object
+  int later;              // shares of the budget that are kept for what comes after it
+};
+
+// The hypotheses of every wanted object by propose(object, &pool, &budget), judged. What is found is added to
+// the state's candidates in the order of the objects.
+template <class Propose>
+SearchState searchRound(const SearchTask& task, SearchState state, const Round& round, WorkBudget* budget,
+                        StageLog* log, const Propose& propose) {
+  const size_t objects = task.wanted.size();
+  std::vector<std::vector<Candidate>> found(objects);
+  std::vector<StageLog> logs(objects);
+  inParts(int(objects), round.later, budget, [&](int i, WorkBudget* part) {
+    const int object = task.wanted[size_t(i)];
+    HypothesisPool* pool = &state.pools[size_t(i)];
+    StageLog* own_log = &logs[size_t(i)];
+    own_log->timed(round.proposing, [&](StageReport* report) {
+      propose(object, pool, part);
+      report->counts["scored"] = double(part->scored());
+    });
+    found[size_t(i)] = judgeHypotheses(task, object, pool, round.judged, state.candidates, part, own_log);
+  });
+
+  for (const StageLog& own_log : logs) log->add(own_log);
+  for (std::vector<Candidate>& some : found)
+    std::move(some.begin(), some.end(), std::back_inserter(state.candidates));
+  return state;
+}
+
 }  // namespace
 
 SearchState searchGroupings(const SearchTask& task, WorkBudget* budget, StageLog* log) {
   SearchState state;
   for (int object : task.wanted) state.pools.emplace_back(task, object);
 
-  const int objects = int(task.wanted.size());
-  for (int i = 0; i < objects; ++i) {
-    const int object = task.wanted[i];
-    budget->allow(objects - i + objects);  // every object has its part of the second round, too
-
-    log->timed("hypotheses from groupings", [&](StageReport* report) {
-      const long long before = budget->scored();
-      hypothesesFromGroupings(task.image, object, task.models[object], &state.pools[i], budget);
-      report->counts["scored"] = double(budget->scored() - before);
-    });
-    state.candidates = judgeHypotheses(task, object, &state.pools[i], task.options.refined_per_object / 2,
-                                       std::move(state.candidates), budget, log);
-  }
-  return state;
+  // Every object has its part of the second round, too.
+  const Round round{"hypotheses from groupings", task.options.refined_per_object / 2,
+                    int(task.wanted.size())};
+  return searchRound(task, std::move(state), round, budget, log,
+                     [&](int object, HypothesisPool* pool, WorkBudget* part) {
+                       hypothesesFromGroupings(task.image, object, task.models[size_t(object)], pool, part);
+                     });
 }
 
 SearchState searchEdges(const SearchTask& task, SearchState state, const std::vector<Explanation>& chosen,
                         WorkBudget* budget, StageLog* log) {
   const std::vector<char> usable = unexplainedSegments(task.image.features, state.candidates, chosen);
-
-  const int objects = int(task.wanted.size());
-  for (int i = 0; i < objects; ++i) {
-    const int object = task.wanted[i];
-    budget->allow(objects - i);
-
-    log->timed("hypotheses from edges", [&](StageReport* report) {
-      const long long before = budget->scored();
-      hypothesesFromEdges(task.image, task.models[object], task.options, usable, &state.pools[i], budget);
-      report->counts["scored"] = double(budget->scored() - before);
-    });
-    state.candidates = judgeHypotheses(task, object, &state.pools[i], task.options.refined_per_object,
-                                       std::move(state.candidates), budget, log);
-  }
-  return state;
+  const Round round{"hypotheses from edges", task.options.refined_per_object, 0};
+  return searchRound(
+      task, std::move(state), round, budget, log, [&](int object, HypothesisPool* pool, WorkBudget* part) {
+        hypothesesFromEdges(task.image, task.models[size_t(object)], task.options, usable, pool, part);
+      });
 }
 
 }  // namespace monocular_eye_hand

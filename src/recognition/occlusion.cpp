@@ -1,9 +1,11 @@
 #include "recognition/occlusion.h"
 
+#include <optional>
 #include <utility>
 
 #include "monocular_eye_hand/model/ray_scene.h"
 #include "recognition/judging.h"
+#include "recognition/shared_work.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -11,6 +13,27 @@ namespace {
 constexpr double kSurelyRight = 0.9;     // from this probability an object hides what is behind it
 constexpr double kWorthExcusing = 0.02;  // probability below which hidden parts do not save a candidate
 constexpr double kThickness = 0.002;     // nearer together than this, one does not hide the other [m]
+
+// A candidate judged again with what surely hides parts of it; nothing when nothing does.
+std::optional<Candidate> excused(const SearchTask& task, const std::vector<Candidate>& candidates,
+                                 const std::vector<int>& sure, int index) {
+  const Candidate& candidate = candidates[size_t(index)];
+  if (candidate.probability < kWorthExcusing) return std::nullopt;
+  std::vector<Occluder> occluders;
+  for (int s : sure) {
+    const Candidate& other = candidates[size_t(s)];
+    if (s == index || (other.bounding_box & candidate.bounding_box).area() == 0) continue;
+    if (conflict(other, candidate)) continue;
+    occluders.push_back({&task.models[size_t(other.object)].model(), other.pose.camera_from_object.inverse(),
+                         other.bounding_box});
+  }
+  if (occluders.empty()) return std::nullopt;
+
+  Candidate seen = candidate;
+  seen.occluders = std::move(occluders);
+  if (!bearsOut(task, &seen)) seen.terms.hidden = 0;
+  return seen;
+}
 
 }  // namespace
 
@@ -30,26 +53,13 @@ std::vector<Candidate> excuseHidden(const SearchTask& task, std::vector<Candidat
         sure.push_back(explanation.candidate);
 
     // Every object judges by the candidates as they were, whatever the order.
-    const std::vector<Candidate>& before = candidates;
-    std::vector<std::pair<int, Candidate>> again;
-    for (int i = 0; i < int(before.size()); ++i) {
-      const Candidate& candidate = before[i];
-      if (candidate.probability < kWorthExcusing) continue;
-      std::vector<Occluder> occluders;
-      for (int s : sure) {
-        const Candidate& other = before[s];
-        if (s == i || (other.bounding_box & candidate.bounding_box).area() == 0) continue;
-        if (conflict(other, candidate)) continue;
-        occluders.push_back({&task.models[other.object].model(), other.pose.camera_from_object.inverse(),
-                             other.bounding_box});
-      }
-      if (occluders.empty()) continue;
-      Candidate seen = candidate;
-      seen.occluders = std::move(occluders);
+    std::vector<std::optional<Candidate>> again(candidates.size());
+    atOnce(int(candidates.size()), [&](int i) { again[size_t(i)] = excused(task, candidates, sure, i); });
+    for (size_t i = 0; i < again.size(); ++i) {
+      if (!again[i]) continue;
       ++report->counts["verified"];
-      if (bearsOut(task, &seen) && seen.terms.hidden > 0) again.emplace_back(i, std::move(seen));
+      if (again[i]->terms.hidden > 0) candidates[i] = std::move(*again[i]);
     }
-    for (auto& [index, candidate] : again) candidates[index] = std::move(candidate);
     return std::move(candidates);
   });
 }

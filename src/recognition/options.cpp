@@ -30,6 +30,7 @@ void RecognitionOptions::check() const {
   require(rest_log_odds >= 0, "rest_log_odds", rest_log_odds, "must not be negative");
   require(budget >= 0, "budget", budget, "must not be negative (0 = no limit)");
   require(time_limit >= 0, "time_limit", time_limit, "must not be negative (0 = no limit) [s]");
+  require(threads >= 0, "threads", threads, "must not be negative (0 = all cores but one)");
   require(accept_probability > 0 && accept_probability < 1, "accept_probability", accept_probability,
           "must be in (0, 1)");
   require(ambiguous_ratio > 0 && ambiguous_ratio <= 1, "ambiguous_ratio", ambiguous_ratio,

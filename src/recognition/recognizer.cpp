@@ -1,5 +1,8 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <mutex>
 #include <numeric>
@@ -16,11 +19,14 @@
 #include "recognition/reporting.h"
 #include "recognition/search_trace.h"
 #include "recognition/settle_contests.h"
+#include "recognition/shared_work.h"
 #include "recognition/support.h"
 #include "recognition/twins.h"
 
 namespace monocular_eye_hand {
 namespace {
+
+using oneapi::tbb::task_arena;
 
 // Indices of the objects to look for; `only`: name of the one wanted, "" for all.
 std::vector<int> wantedObjects(const ModelBase& base, const std::string& only) {
@@ -50,6 +56,10 @@ bool anyAccepted(const std::vector<Candidate>& candidates, const RecognitionOpti
   });
 }
 
+int threadsOf(const RecognitionOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1, oneapi::tbb::info::default_concurrency() - 1);
+}
+
 // Wong et al., 2.2, steps 2 to 6. `one_is_enough`: the search ends with the first accepted candidate.
 std::vector<Candidate> search(const SearchTask& task, bool one_is_enough, WorkBudget* budget, StageLog* log) {
   // Steps 2 to 5: an unmatched pair makes a hypothesis, its characteristic view is laid on the image,
@@ -72,6 +82,17 @@ struct Recognizer::Impl {
   std::once_flag rests_known;
   std::vector<std::vector<Eigen::Vector3d>> up_at_rest;  // made when a support plane is first given
 
+  Impl(ModelBase models_known, const RecognitionOptions& options_given)
+      : base(std::move(models_known)), options(options_given) {
+    std::vector<std::optional<SearchModel>> made(base.objects.size());
+    task_arena arena(threadsOf(options));
+    arena.execute(
+        [&] { atOnce(int(made.size()), [&](int i) { made[size_t(i)].emplace(base.objects[size_t(i)]); }); });
+    for (std::optional<SearchModel>& model : made) models.push_back(std::move(*model));
+  }
+
+  RecognitionResult recognize(const cv::Mat& grey, const Camera& camera, const RecognitionRequest& request);
+
   std::optional<Support> supportOf(const RecognitionRequest& request) {
     if (!request.support) return std::nullopt;
     request.support->check();
@@ -82,12 +103,10 @@ struct Recognizer::Impl {
   }
 };
 
-Recognizer::Recognizer(ModelBase models, RecognitionOptions options) : impl_(new Impl) {
+Recognizer::Recognizer(ModelBase models, RecognitionOptions options) {
   options.check();
   if (models.objects.empty()) throw BadInput("the model base is empty: name at least one object");
-  impl_->base = std::move(models);
-  impl_->options = options;
-  for (const KnownObject& object : impl_->base.objects) impl_->models.emplace_back(object);
+  impl_ = std::make_unique<Impl>(std::move(models), options);
 }
 
 Recognizer::~Recognizer() = default;
@@ -96,9 +115,13 @@ const RecognitionOptions& Recognizer::options() const { return impl_->options; }
 
 RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camera,
                                         const RecognitionRequest& request) const {
-  const ModelBase& base = impl_->base;
-  const RecognitionOptions& options = impl_->options;
-  const std::vector<SearchModel>& models = impl_->models;
+  // A trace listens to one thread only.
+  task_arena arena(request.traced.empty() ? threadsOf(impl_->options) : 1);
+  return arena.execute([&] { return impl_->recognize(grey, camera, request); });
+}
+
+RecognitionResult Recognizer::Impl::recognize(const cv::Mat& grey, const Camera& camera,
+                                              const RecognitionRequest& request) {
   camera.check();
   const std::vector<int> wanted = wantedObjects(base, request.only);
   checkImage(grey, camera);
@@ -111,7 +134,7 @@ RecognitionResult Recognizer::recognize(const cv::Mat& grey, const Camera& camer
   std::optional<SearchTrace> trace;
   if (!request.traced.empty() && !request.proposals)
     trace.emplace(image, models, request.traced, double(camera.width) / image.camera.width);
-  const std::optional<Support> support = impl_->supportOf(request);
+  const std::optional<Support> support = supportOf(request);
   const Support* known_support = support ? &*support : nullptr;
   const SearchTask searching{image, models, wanted, options, trace ? &*trace : nullptr, known_support};
 

@@ -17,6 +17,11 @@ class StageLog {
     return work(&stages_.back());
   }
 
+  /// Adds the stages of another log, which may have run on another thread.
+  void add(const StageLog& other) {
+    stages_.insert(stages_.end(), other.stages_.begin(), other.stages_.end());
+  }
+
   const std::vector<StageReport>& stages() const { return stages_; }
 
  private:

@@ -1,7 +1,9 @@
 #include "recognition/twins.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -48,16 +50,18 @@ std::vector<Rigid3> twinPoses(const SearchModel& model, const Rigid3& pose) {
 std::vector<Candidate> addTwins(const SearchTask& task, std::vector<Candidate> candidates,
                                 const std::vector<Explanation>& chosen, StageLog* log) {
   return log->timed("twins", [&](StageReport* report) {
+    std::vector<Start> starts;
     for (const Explanation& explanation : chosen) {
-      const int object = candidates[explanation.candidate].object;
-      const Rigid3 pose = candidates[explanation.candidate].pose.camera_from_object;
-      if (candidates[explanation.candidate].probability < kWorthTwins) continue;
-      for (const Rigid3& twin : twinPoses(task.models[object], pose)) {
-        std::optional<Candidate> candidate = alignedCandidate(task, object, twin, kFineRanges, candidates);
-        report->counts["verified"] += candidate.has_value();
-        if (candidate && bearsOut(task, &*candidate)) candidates.push_back(std::move(*candidate));
-      }
+      const Candidate& candidate = candidates[explanation.candidate];
+      if (candidate.probability < kWorthTwins) continue;
+      for (const Rigid3& twin : twinPoses(task.models[candidate.object], candidate.pose.camera_from_object))
+        starts.push_back({candidate.object, twin});
     }
+
+    WorkBudget no_limit;
+    std::vector<Candidate> twins =
+        borneOut(judgeStarts(task, starts, kFineRanges, candidates, 0, &no_limit), report);
+    std::move(twins.begin(), twins.end(), std::back_inserter(candidates));
     return std::move(candidates);
   });
 }

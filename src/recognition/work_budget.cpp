@@ -4,10 +4,20 @@
 
 namespace monocular_eye_hand {
 
-WorkBudget::WorkBudget(long long limit, double seconds) : limit_(limit), seconds_(seconds), allowed_(limit) {}
+WorkBudget::WorkBudget(long long limit, double seconds)
+    : limited_(limit > 0), limit_(limit), seconds_(seconds) {}
 
-void WorkBudget::allow(int parts) {
-  allowed_ = scored_ + std::max(0LL, limit_ - scored_) / std::max(parts, 1);
+WorkBudget WorkBudget::part(int parts) const {
+  WorkBudget part = *this;
+  part.limit_ = std::max(0LL, limit_ - scored_) / std::max(parts, 1);
+  part.scored_ = 0;
+  return part;
+}
+
+void WorkBudget::add(const WorkBudget& part) {
+  scored_ += part.scored_;
+  cut_by_work_ = cut_by_work_ || part.cut_by_work_;
+  cut_by_time_ = cut_by_time_ || part.cut_by_time_;
 }
 
 bool WorkBudget::outOfTime() {

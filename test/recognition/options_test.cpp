@@ -34,6 +34,7 @@ TEST(RecognitionOptions, a_value_out_of_range_is_named_with_its_value_and_the_ru
                                                     {"verified_per_object", "-3", "positive"},
                                                     {"budget", "-1", "negative"},
                                                     {"time_limit", "-2", "negative"},
+                                                    {"threads", "-1", "negative"},
                                                     {"accept_probability", "1", "(0, 1)"},
                                                     {"accept_probability", "0", "(0, 1)"},
                                                     {"rest_log_odds", "-0.5", "negative"},
@@ -82,6 +83,7 @@ TEST(RecognitionOptions, every_field_is_written_and_read_back) {
   options.verified_per_object = 20;
   options.budget = 5000;
   options.time_limit = 2;
+  options.threads = 3;
   options.accept_probability = 0.6;
   options.rest_log_odds = 1;
   options.ambiguous_ratio = 0.4;

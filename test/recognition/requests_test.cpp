@@ -114,6 +114,32 @@ TEST(SameQuestion, same_answer_bit_by_bit_again_and_from_two_threads_at_once) {
   expectSame(first, right);
 }
 
+TEST(SameQuestion, same_answer_bit_by_bit_on_any_number_of_threads) {
+  const Picture picture = shippedPicture("demo/frame_and_flange");
+  RecognitionOptions options;
+  options.threads = 1;
+  const RecognitionResult alone = recognizerWith(options).recognize(picture.grey, picture.camera);
+  ASSERT_FALSE(alone.objects.empty());
+  for (int threads : {2, 7}) {
+    options.threads = threads;
+    const Recognizer shared = recognizerWith(options);
+    expectSame(alone, shared.recognize(picture.grey, picture.camera));
+    expectSame(alone, shared.recognize(picture.grey, picture.camera));
+  }
+}
+
+TEST(SameQuestion, same_answer_bit_by_bit_on_any_number_of_threads_with_a_budget_or_one_wanted_object) {
+  const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
+  RecognitionOptions alone;
+  alone.threads = 1;
+  alone.budget = 100000;
+  RecognitionOptions shared = alone;
+  shared.threads = 3;
+  for (const RecognitionRequest& request : {RecognitionRequest{}, onlyFor("grenade")})
+    expectSame(recognizerWith(alone).recognize(picture.grey, picture.camera, request),
+               recognizerWith(shared).recognize(picture.grey, picture.camera, request));
+}
+
 TEST(SameQuestion, the_image_may_be_a_part_of_a_larger_one) {
   const Picture picture = shippedPicture("golden/bracket");
   cv::Mat framed;

@@ -11,10 +11,10 @@ namespace {
 std::vector<long long> dealtOut(WorkBudget* budget, int takers) {
   std::vector<long long> taken;
   for (int i = 0; i < takers; ++i) {
-    budget->allow(takers - i);
-    const long long before = budget->scored();
-    while (!budget->spent()) budget->count();
-    taken.push_back(budget->scored() - before);
+    WorkBudget part = budget->part(takers - i);
+    while (!part.spent()) part.count();
+    taken.push_back(part.scored());
+    budget->add(part);
   }
   return taken;
 }
@@ -28,22 +28,23 @@ TEST(WorkBudget, every_taker_gets_an_equal_share) {
 
 TEST(WorkBudget, what_one_leaves_over_goes_to_those_after_it) {
   WorkBudget budget(90);
-  budget.allow(3);
-  budget.count(10);  // of 30
+  WorkBudget first = budget.part(3);
+  first.count(10);  // of 30
+  budget.add(first);
   EXPECT_EQ(dealtOut(&budget, 2), (std::vector<long long>{40, 40}));
 }
 
 TEST(WorkBudget, a_taker_that_overdraws_leaves_less_but_nothing_below_zero) {
   WorkBudget budget(20);
-  budget.allow(2);
-  budget.count(35);
-  EXPECT_TRUE(budget.spent());
+  WorkBudget first = budget.part(2);
+  first.count(35);
+  EXPECT_TRUE(first.spent());
+  budget.add(first);
   EXPECT_EQ(dealtOut(&budget, 2), (std::vector<long long>{0, 0}));
 }
 
 TEST(WorkBudget, nothing_is_cut_when_all_work_was_done) {
   WorkBudget budget(10);
-  budget.allow(1);
   while (budget.scored() < 9 && !budget.spent()) budget.count();
   EXPECT_EQ(budget.scored(), 9);
   EXPECT_FALSE(budget.cutByWork());

@@ -84,7 +84,7 @@ struct JudgedCandidate {
 /// Counts and times of one stage, for people and the explain page.
 struct StageReport {
   std::string name;
-  double seconds = 0;
+  double seconds = 0;  ///< stages of several objects may run at once
   std::map<std::string, double> counts;
 };
 

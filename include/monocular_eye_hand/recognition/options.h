@@ -21,6 +21,8 @@ struct RecognitionOptions {
   int verified_per_object = 60;  ///< of these, refined on the exact contour and judged
   int budget = 0;                ///< most hypotheses scored per image; 0 = until all groupings are used
   double time_limit = 0;         ///< wall-clock cut [s]; 0 = none. A result it cuts says truncated.
+  int threads = 0;               ///< that share the work on one image, which has the same answer; 0 = one
+                                 ///< for every core but one
   double accept_probability = 0.5;
   double rest_log_odds = 2.0;    ///< most that a pose gains which rests on a known support plane [log-odds]
   double ambiguous_ratio = 0.5;  ///< an alternative this likely relative to the best makes a result ambiguous
@@ -39,6 +41,7 @@ struct RecognitionOptions {
     v("verified_per_object", verified_per_object);
     v("budget", budget);
     v("time_limit", time_limit);
+    v("threads", threads);
     v("accept_probability", accept_probability);
     v("rest_log_odds", rest_log_odds);
     v("ambiguous_ratio", ambiguous_ratio);
