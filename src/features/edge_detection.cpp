@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/features/gradient.h"
-#include "vector_clones.h"
+#include "monocular_eye_hand/geometry/vector_clones.h"
 
 namespace monocular_eye_hand {
 namespace {

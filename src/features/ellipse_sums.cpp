@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vector_clones.h"
+#include "monocular_eye_hand/geometry/vector_clones.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "vector_clones.h"
+#include "monocular_eye_hand/geometry/vector_clones.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/features/features.h"
+#include "monocular_eye_hand/geometry/vector_clones.h"
 
 namespace monocular_eye_hand {
 
@@ -28,14 +29,17 @@ cv::Mat rectifiedGrey(const cv::Mat& grey, const Camera& camera, const RectDomai
 constexpr int kOrientationBins = 12;
 
 /// Bin nearest to the direction of (du, dv); directions pi apart are the same.
-inline int orientationBin(float du, float dv) {
-  // atan by a cubic on [-1, 1], good to 0.3 degrees, then rounded to 15 degree bins.
+MONOCULAR_EYE_HAND_INLINE int orientationBin(float du, float dv) {
+  // atan by a cubic on [-1, 1], good to 0.3 degrees, then rounded to 15 degree bins. Without branches, for
+  // vector instructions.
   const float ax = std::fabs(du), ay = std::fabs(dv);
   const bool steep = ay > ax;
-  const float t = steep ? ax / (ay + 1e-20f) : ay / (ax + 1e-20f);
-  float a = t * (0.9724f - 0.1919f * t * t);     // 0 .. pi/4
-  if (steep) a = 1.5707963f - a;                 // 0 .. pi/2
-  if ((du < 0) != (dv < 0)) a = 3.1415926f - a;  // 0 .. pi
+  const float larger = steep ? ay : ax;
+  const float smaller = steep ? ax : ay;
+  const float t = smaller / (larger + 1e-20f);
+  const float low = t * (0.9724f - 0.1919f * t * t);             // 0 .. pi/4
+  const float quarter = steep ? 1.5707963f - low : low;          // 0 .. pi/2
+  const float a = du * dv < 0 ? 3.1415926f - quarter : quarter;  // 0 .. pi
   // a >= 0: truncation rounds it; std::lround would cost a call
   const int bin = int(a * (kOrientationBins / 3.1415926f) + 0.5f);  // NOLINT(bugprone-incorrect-roundings)
   return bin >= kOrientationBins ? bin - kOrientationBins : bin;
@@ -62,6 +66,15 @@ class EvidencePlanes {
     const unsigned row = unsigned(y) / kTile;
     const unsigned tile = (unsigned(bin) * tiles_y_ + row) * tiles_x_ + column;
     return int((tile * kTile + unsigned(y) % kTile) * kTile + unsigned(x) % kTile);
+  }
+  /// The same of a place in the plane [px], 0 at the outer border of the first pixel.
+  MONOCULAR_EYE_HAND_INLINE int indexNear(int bin, float x, float y) const {
+    const bool inside = x >= 0 && y >= 0 && x < float(width_) && y < float(height_);
+    const unsigned column = unsigned(int(inside ? x : 0));
+    const unsigned row = unsigned(int(inside ? y : 0));
+    const unsigned tile = (unsigned(bin) * tiles_y_ + row / kTile) * tiles_x_ + column / kTile;
+    const int place = int((tile * kTile + row % kTile) * kTile + column % kTile);
+    return inside ? place : -1;
   }
   int8_t value(int index) const { return values_[size_t(index)]; }
   int8_t& value(int index) { return values_[size_t(index)]; }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "recognition/best_of_places.h"
+#include "recognition/pair_poses.h"
 #include "recognition/search_task.h"
 #include "recognition/work_budget.h"
 
@@ -45,14 +46,20 @@ class HypothesisPool {
   const Camera& camera_;
   const SearchModel& model_;
   const RecognitionOptions& options_;
+  DistanceRange range_;
   BestOfPlaces<Hypothesis> best_;
 };
+
+/// Distances of a model's centre at which it is looked for: those of the options, and where its image is not
+/// too small.
+DistanceRange searchedDistances(const RecognitionOptions& options, const ObjectModel& model,
+                                const Camera& camera);
 
 /// Wong et al., 2.2, step 2: every image grouping with every model grouping of its kind, in every order that
 /// the kind admits, the most telling first: likely structure of one object that fits the model in few ways.
 /// Poses by the perspective tetrahedron, corner triplets of lines and circles (pair_poses.h).
 void hypothesesFromGroupings(const SearchImage& image, int object, const SearchModel& model,
-                             HypothesisPool* pool, WorkBudget* budget);
+                             const RecognitionOptions& options, HypothesisPool* pool, WorkBudget* budget);
 
 /// One whole edge with the view sphere: every segment, long ones first, as every edge of every sampled view.
 /// `usable`: flags of the segments that may serve (not explained yet).

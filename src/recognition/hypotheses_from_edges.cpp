@@ -141,7 +141,7 @@ Fitting fittingAnchors(const AnchorLevel& level, double length, double near, dou
 struct RulerSearch {
   const SearchImage& image;
   const SearchModel& model;
-  double near, far;  // eye distances looked at [m]
+  DistanceRange range;
   const std::vector<Ruler>& rulers;
 
   void lay(int r, FlatCandidates* found, WorkBudget* budget) const {
@@ -151,8 +151,8 @@ struct RulerSearch {
     const double length = (rulers[size_t(r)].q - rulers[size_t(r)].p).norm();
     for (size_t l = 0; l < model.levels().size(); ++l) {
       const AnchorLevel& level = model.levels()[l];
-      const double nearest = std::max(near, level.min_ratio * diameter);
-      const double farthest = std::min(far, level.max_ratio * diameter);
+      const double nearest = std::max(range.nearest, level.min_ratio * diameter);
+      const double farthest = std::min(range.farthest, level.max_ratio * diameter);
       const Fitting fitting = fittingAnchors(level, length, nearest / focal, farthest / focal);
       for (size_t a = fitting.first; a < fitting.last && !budget->workSpent(); ++a)
         layAnchor(r, int(l), int(a), float(length), found, budget);
@@ -183,11 +183,9 @@ void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
                          const RecognitionOptions& options, const std::vector<char>& usable,
                          HypothesisPool* pool, WorkBudget* budget) {
   const Camera& camera = image.camera;
-  const double focal = std::sqrt(camera.fx * camera.fy);
-  const double diameter = model.model().diameter;
-  const double far = std::min(options.max_distance, diameter * focal / options.min_size);
+  const DistanceRange range = searchedDistances(options, model.model(), camera);
   const std::vector<Ruler> rulers = rulersOf(image, usable);
-  const RulerSearch search{image, model, options.nearest(diameter), far, rulers};
+  const RulerSearch search{image, model, range, rulers};
 
   FlatCandidates flat{image};
   gather(&flat, budget, [&](const Share& share, WorkBudget* part, FlatCandidates* found) {

@@ -42,7 +42,7 @@ std::vector<RankedGrouping> rankGroupings(const SearchImage& image, int object, 
 
 // The poses that lay the grouping over those of the model.
 void offerGrouping(const SearchImage& image, const RankedGrouping& ranked, const SearchModel& model,
-                   HypothesisPool* pool, WorkBudget* budget) {
+                   const DistanceRange& range, HypothesisPool* pool, WorkBudget* budget) {
   const Grouping& seen = *ranked.seen;
   std::vector<Rigid3> poses;
   for (const ModelGrouping& known : model.groupings()) {
@@ -50,7 +50,7 @@ void offerGrouping(const SearchImage& image, const RankedGrouping& ranked, const
     for (const Correspondence& order : correspondences(seen, known)) {
       if (budget->spent()) return;
       poses.clear();
-      posesOfPair(image, model.model(), {seen, known, order}, &poses);
+      posesOfPair(image, model.model(), range, {seen, known, order}, &poses);
       for (const Rigid3& pose : poses) pool->offer(pose, seen.kind, image.map, budget);
     }
   }
@@ -59,11 +59,12 @@ void offerGrouping(const SearchImage& image, const RankedGrouping& ranked, const
 }  // namespace
 
 void hypothesesFromGroupings(const SearchImage& image, int object, const SearchModel& model,
-                             HypothesisPool* pool, WorkBudget* budget) {
+                             const RecognitionOptions& options, HypothesisPool* pool, WorkBudget* budget) {
+  const DistanceRange range = searchedDistances(options, model.model(), image.camera);
   const std::vector<RankedGrouping> ranked = rankGroupings(image, object, model);
   gather(pool, budget, [&](const Share& share, WorkBudget* part, HypothesisPool* best) {
     for (size_t i = size_t(share.first); i < ranked.size(); i += size_t(share.step))
-      offerGrouping(image, ranked[i], model, best, part);
+      offerGrouping(image, ranked[i], model, range, best, part);
   });
 }
 

@@ -31,12 +31,20 @@ bool Hypothesis::betterThan(const Hypothesis& other) const {
   return mine != others ? mine < others : kind < other.kind;
 }
 
+DistanceRange searchedDistances(const RecognitionOptions& options, const ObjectModel& model,
+                                const Camera& camera) {
+  const double focal = std::sqrt(camera.fx * camera.fy);
+  return {options.nearest(model.diameter),
+          std::min(options.max_distance, model.diameter * focal / options.min_size)};
+}
+
 HypothesisPool::HypothesisPool(const SearchTask& task, int object)
     : task_(task),
       object_(object),
       camera_(task.image.camera),
       model_(task.models[object]),
       options_(task.options),
+      range_(searchedDistances(options_, model_.model(), camera_)),
       best_(camera_.width, camera_.height, kPerPlace) {}
 
 void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const EvidenceMap& map,
@@ -45,15 +53,13 @@ void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const Evidence
   note(task_, SearchStage::kGenerated, object_, pose);
   const Eigen::Vector3d centre = pose * model_.model().centre();
   const double distance = centre.norm();
-  const double diameter = model_.model().diameter;
-  if (!(centre.z() > 0) || distance < options_.nearest(diameter) || distance > options_.max_distance) return;
-  if (diameter * camera_.fx / distance < options_.min_size) return;
+  if (!(centre.z() > 0) || distance < range_.nearest || distance > range_.farthest) return;
   const Eigen::Vector2d uv = camera_.project(centre);
   if (!best_.hasPlace(uv.x(), uv.y())) return;
 
   Hypothesis h;
   h.camera_from_object = model_.canonical(pose, &h.view);
-  const CoarseScore score = scorePose(model_, h.view, h.camera_from_object, camera_, map);
+  const CoarseScore score = scorePose(model_.coarse(h.view), h.camera_from_object, camera_, map);
   if (score.evidence < kMinEvidence || score.in_frame < options_.min_in_frame) return;
   h.evidence = score.evidence;
   h.in_frame = score.in_frame;

@@ -34,7 +34,7 @@ std::optional<AlignedHypothesis> alignedHypothesis(const SearchTask& task, const
   if (!moved) return std::nullopt;
 
   const auto& [pose, view] = *moved;
-  const CoarseScore score = scorePose(model, view, pose, image.camera, image.map);
+  const CoarseScore score = scorePose(model.coarse(view), pose, image.camera, image.map);
   if (score.evidence < float(kMinEvidence) || score.in_frame < task.options.min_in_frame) return std::nullopt;
   h.camera_from_object = pose;
   h.view = view;

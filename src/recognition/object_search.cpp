@@ -70,10 +70,10 @@ SearchState searchGroupings(const SearchTask& task, WorkBudget* budget, StageLog
   // Every object has its part of the second round, too.
   const Round round{"hypotheses from groupings", task.options.refined_per_object / 2,
                     int(task.wanted.size())};
-  return searchRound(task, std::move(state), round, budget, log,
-                     [&](int object, HypothesisPool* pool, WorkBudget* part) {
-                       hypothesesFromGroupings(task.image, object, task.models[size_t(object)], pool, part);
-                     });
+  return searchRound(
+      task, std::move(state), round, budget, log, [&](int object, HypothesisPool* pool, WorkBudget* part) {
+        hypothesesFromGroupings(task.image, object, task.models[size_t(object)], task.options, pool, part);
+      });
 }
 
 SearchState searchEdges(const SearchTask& task, SearchState state, const std::vector<Explanation>& chosen,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,10 +12,23 @@ constexpr int kRolls = 60;            // steps of the rotation about the circle'
 constexpr double kSmallEllipse = 30;  // semi-axis below which the tilt is uncertain [px]
 constexpr double kCentreError = 10;   // largest image error of the second circle's centre [px]
 constexpr double kLineError = 8;      // largest distance of a model edge's end from its line [px]
+constexpr double kShared = 0.5;       // of the shorter of an edge and its segment that lies beside the other
+constexpr double kOpens = 0.3;        // share of an outward normal from which a surface opens to that side
+constexpr double kSideways = 3;  // radii off the axis from where two fifths of an outer wall's rim are seen
 constexpr double kLongBaseline =
     0.5;                           // centres this far apart, in radii, tell the axis better than one ellipse
 constexpr double kNoLever = 1e-9;  // an edge this near to the axis tells no roll [m]
 constexpr double kSameAxis = 0.5;  // farthest such an axis may be from the one ellipse's [rad]
+
+// About a circle's axis.
+struct Turn {
+  double cosine = 1, sine = 0;
+};
+
+struct Turns {
+  int count = 0;
+  std::array<Turn, 2> turn;
+};
 
 // Small ellipses fix the tilt badly: neighbours with another short axis and direction are tried as well.
 std::vector<Ellipse> variants(const Ellipse& seen) {
@@ -33,6 +47,17 @@ std::vector<Ellipse> variants(const Ellipse& seen) {
   return all;
 }
 
+// Turns that are tried where nothing tells the turn about the axis.
+const std::vector<Turn>& allTurns() {
+  static const std::vector<Turn> kAll = [] {
+    std::vector<Turn> turns;
+    for (int k = 0; k < kRolls; ++k)
+      turns.push_back({std::cos(2 * M_PI * k / kRolls), std::sin(2 * M_PI * k / kRolls)});
+    return turns;
+  }();
+  return kAll;
+}
+
 // Poses with the circle's centre at `centre` and its axis along `normal`, that differ by the turn about it.
 class PosesOfCircle {
  public:
@@ -45,12 +70,12 @@ class PosesOfCircle {
 
   const Eigen::Vector3d& centre() const { return centre_; }
   const Eigen::Vector3d& normal() const { return normal_; }
-  /// Where the circle's x and y axes lie at roll 0.
+  /// Where the circle's x and y axes lie before the turn.
   const Eigen::Vector3d& u() const { return u_; }
   const Eigen::Vector3d& v() const { return v_; }
 
-  Rigid3 turnedBy(double roll) const {
-    const double c = std::cos(roll), s = std::sin(roll);
+  Rigid3 turnedBy(const Turn& turn) const {
+    const auto& [c, s] = turn;
     Eigen::Matrix3d in_object, in_camera;
     in_object << circle_.x_axis, circle_.axis.cross(circle_.x_axis), circle_.axis;
     in_camera << c * u_ + s * v_, c * v_ - s * u_, normal_;
@@ -59,6 +84,25 @@ class PosesOfCircle {
     pose.translation = centre_ - pose.rotation * circle_.centre;
     return pose;
   }
+  // Of a point given along the circle's x, y and axis.
+  Eigen::Vector3d turnedBy(const Turn& turn, const Eigen::Vector3d& place) const {
+    const double x = turn.cosine * place.x() - turn.sine * place.y();
+    const double y = turn.sine * place.x() + turn.cosine * place.y();
+    return centre_ + x * u_ + y * v_ + place.z() * normal_;
+  }
+
+  // Whether a good part of the rim can show: it does from where one of its surfaces opens to, and from behind
+  // where the part inside it is seen far enough from the side. The wall of a hole is hidden from behind.
+  bool rimShows() const {
+    if (circle_.surface[1] < 0) return true;
+    const double axial = -centre_.dot(normal_);  // of the eye [m]
+    const double radial = std::sqrt(std::max(0.0, centre_.squaredNorm() - axial * axial));
+    const auto shows = [&](const Eigen::Vector2d& outward) {
+      return outward.y() * axial > kOpens * std::abs(axial) ||
+             (outward.x() > kOpens && radial > kSideways * circle_.radius);
+    };
+    return shows(circle_.normal[0]) || shows(circle_.normal[1]);
+  }
 
  private:
   const ModelCircle& circle_;
@@ -66,8 +110,20 @@ class PosesOfCircle {
 };
 
 void turnAbout(const ObjectModel& model, const PosesOfCircle& circle, std::vector<Rigid3>* poses) {
-  const int rolls = model.symmetries.axis ? 1 : kRolls;
-  for (int k = 0; k < rolls; ++k) poses->push_back(circle.turnedBy(2 * M_PI * k / kRolls));
+  if (!circle.rimShows()) return;
+  if (model.symmetries.axis) {
+    poses->push_back(circle.turnedBy(allTurns().front()));
+    return;
+  }
+  for (const Turn& turn : allTurns()) poses->push_back(circle.turnedBy(turn));
+}
+
+// Whether an object with its circle there may be at one of the distances.
+bool within(const DistanceRange& range, const ObjectModel& model, const ModelCircle& circle,
+            const Eigen::Vector3d& centre) {
+  const double distance = centre.norm();
+  const double apart = (circle.centre - model.centre()).norm();
+  return distance > range.nearest - apart && distance < range.farthest + apart;
 }
 
 // The axis through `centre` on which the second centre, `offset` [m] farther, is seen at `uv`; of the two
@@ -87,59 +143,61 @@ Eigen::Vector3d axisThroughCentres(const Camera& camera, const Eigen::Vector3d& 
   return best;
 }
 
-// The end of an edge that is farther from a circle's axis, along the circle's x, y and axis [m].
-Eigen::Vector3d fartherEnd(const ModelCircle& circle, const std::array<Eigen::Vector3d, 2>& edge) {
-  const Eigen::Vector3d y_axis = circle.axis.cross(circle.x_axis);
-  Eigen::Vector3d farther = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& end : edge) {
-    const Eigen::Vector3d r = end - circle.centre;
-    const Eigen::Vector3d place(r.dot(circle.x_axis), r.dot(y_axis), r.dot(circle.axis));
-    if (place.head<2>().squaredNorm() > farther.head<2>().squaredNorm()) farther = place;
-  }
-  return farther;
+// A point along a circle's x, y and axis [m].
+Eigen::Vector3d placeAbout(const ModelCircle& circle, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d r = point - circle.centre;
+  return {r.dot(circle.x_axis), r.dot(circle.axis.cross(circle.x_axis)), r.dot(circle.axis)};
 }
 
-// Turns about the circle's axis that bring the end of an edge (fartherEnd) into the plane of the eye and the
-// image line: plane . (centre + z normal + (x u + y v) cos(roll) + (x v - y u) sin(roll)) = 0.
-std::vector<double> rollsOntoLine(const Eigen::Vector3d& plane, const PosesOfCircle& circle,
-                                  const Eigen::Vector3d& end) {
+// Turns about the circle's axis that bring a point (placeAbout) into the plane of the eye and the image line:
+// plane . (centre + z normal + (x u + y v) cos + (x v - y u) sin) = 0, with cos^2 + sin^2 = 1.
+Turns turnsOntoLine(const Eigen::Vector3d& plane, const PosesOfCircle& circle, const Eigen::Vector3d& place) {
   const double pu = plane.dot(circle.u()), pv = plane.dot(circle.v());
-  const double a = end.x() * pu + end.y() * pv, b = end.x() * pv - end.y() * pu;
-  const double c = plane.dot(circle.centre() + end.z() * circle.normal()),
-               amplitude = std::sqrt(a * a + b * b);
-  if (amplitude <= kNoLever || std::abs(c) > amplitude) return {};
-  const double middle = std::atan2(b, a), half = std::acos(-c / amplitude);
-  return {middle + half, middle - half};
+  const double a = place.x() * pu + place.y() * pv, b = place.x() * pv - place.y() * pu;
+  const double c = plane.dot(circle.centre() + place.z() * circle.normal());
+  const double squared = a * a + b * b;
+  if (squared <= kNoLever * kNoLever || c * c > squared) return {};
+  const double along = -c / squared;
+  const double across = std::sqrt(std::max(0.0, squared - c * c)) / squared;
+  return {
+      2,
+      {{{a * along - b * across, b * along + a * across}, {a * along + b * across, b * along - a * across}}}};
 }
 
-bool liesOnLine(const Camera& camera, const Grouping& seen, const Rigid3& pose,
-                const std::array<Eigen::Vector3d, 2>& edge) {
-  const Eigen::Vector3d p = pose * edge[0], q = pose * edge[1];
+// Whether an edge between two points (camera frame) may be the segment: on its line, the same way round, and
+// side by side with it.
+bool liesOnSegment(const Camera& camera, const Grouping& seen, const Eigen::Vector3d& p,
+                   const Eigen::Vector3d& q) {
   if (p.z() <= 0 || q.z() <= 0) return false;
-  const Eigen::Vector2d direction = (seen.points[1] - seen.points[0]).normalized();
-  const Eigen::Vector2d u = camera.project(p), v = camera.project(q);
-  const auto distance = [&](const Eigen::Vector2d& at) {
-    const Eigen::Vector2d d = at - seen.points[0];
-    return std::abs(direction.x() * d.y() - direction.y() * d.x());
+  const Eigen::Vector2d along = seen.points[1] - seen.points[0];
+  const double length = along.norm();
+  const auto placed = [&](const Eigen::Vector3d& end) -> Eigen::Vector2d {  // along and beside the segment
+    const Eigen::Vector2d d = camera.project(end) - seen.points[0];
+    return {along.dot(d) / length, (along.x() * d.y() - along.y() * d.x()) / length};
   };
-  return distance(u) < kLineError && distance(v) < kLineError && direction.dot(v - u) > 0;
+  const Eigen::Vector2d first = placed(p);
+  if (std::abs(first.y()) >= kLineError) return false;
+  const Eigen::Vector2d last = placed(q);
+  if (std::abs(last.y()) >= kLineError || last.x() <= first.x()) return false;
+  const double shared = std::min(last.x(), length) - std::max(first.x(), 0.0);
+  return shared >= kShared * std::min(last.x() - first.x(), length);
 }
 
 }  // namespace
 
-void posesOfEllipse(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
-                    std::vector<Rigid3>* poses) {
+void posesOfEllipse(const SearchImage& image, const ObjectModel& model, const DistanceRange& range,
+                    const GroupingPair& pair, std::vector<Rigid3>* poses) {
   const ModelCircle& circle = model.circles[pair.known.circles[pair.order.ellipses[0]]];
   for (const Ellipse& seen : variants(image.features.ellipses[pair.seen.ellipses[0]].ellipse)) {
     const CirclePoses solutions = circlePoses(seen, image.camera, circle.radius);
-    for (int i = 0; i < solutions.count; ++i)
+    for (int i = 0; i < solutions.count && within(range, model, circle, solutions.pose[0].centre); ++i)
       for (double side : {1.0, -1.0})  // a rim is seen from its face's side or, as an outline, from behind
         turnAbout(model, {circle, solutions.pose[i].centre, side * solutions.pose[i].normal}, poses);
   }
 }
 
-void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
-                        std::vector<Rigid3>* poses) {
+void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, const DistanceRange& range,
+                        const GroupingPair& pair, std::vector<Rigid3>* poses) {
   // The larger ellipse is the better known one.
   const auto ellipse = [&](int i) -> const Ellipse& {
     return image.features.ellipses[pair.seen.ellipses[i]].ellipse;
@@ -153,6 +211,7 @@ void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, cons
   for (int i = 0; i < solutions.count; ++i)
     for (double side : {1.0, -1.0}) {
       const Eigen::Vector3d centre = circle.radius * solutions.pose[i].centre;
+      if (!within(range, model, circle, centre)) continue;
       Eigen::Vector3d axis = side * solutions.pose[i].normal;
       if (std::abs(offset) > kLongBaseline * circle.radius)
         axis = axisThroughCentres(image.camera, centre, seen, offset, axis);
@@ -162,25 +221,32 @@ void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, cons
     }
 }
 
-void posesOfEllipseLine(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
-                        std::vector<Rigid3>* poses) {
+void posesOfEllipseLine(const SearchImage& image, const ObjectModel& model, const DistanceRange& range,
+                        const GroupingPair& pair, std::vector<Rigid3>* poses) {
   const auto& [seen, known, order] = pair;
-  const ModelCircle& circle = model.circles[known.circles[order.ellipses[0]]];
-  const std::array<Eigen::Vector3d, 2> edge{known.points[order.points[0]], known.points[order.points[1]]};
-  const CirclePoses& solutions = image.unit_circles[size_t(seen.ellipses[0])];
-  const Eigen::Vector3d end = fartherEnd(circle, edge);
   const Camera& camera = image.camera;
+  const ModelCircle& circle = model.circles[known.circles[order.ellipses[0]]];
+  const Eigen::Vector3d first = placeAbout(circle, known.points[order.points[0]]);
+  const Eigen::Vector3d last = placeAbout(circle, known.points[order.points[1]]);
+  // The end that is farther from the axis tells the turn better.
+  const Eigen::Vector3d& lever = first.head<2>().squaredNorm() > last.head<2>().squaredNorm() ? first : last;
+  const CirclePoses& solutions = image.unit_circles[size_t(seen.ellipses[0])];
   const Eigen::Vector3d plane = camera.ray(seen.points[0]).cross(camera.ray(seen.points[1])).normalized();
 
-  for (int i = 0; i < solutions.count; ++i)
+  for (int i = 0; i < solutions.count; ++i) {
+    const Eigen::Vector3d centre = circle.radius * solutions.pose[i].centre;
+    if (!within(range, model, circle, centre)) continue;
     for (double side : {1.0, -1.0}) {
-      const PosesOfCircle turns(circle, circle.radius * solutions.pose[i].centre,
-                                side * solutions.pose[i].normal);
-      for (double roll : rollsOntoLine(plane, turns, end)) {
-        const Rigid3 pose = turns.turnedBy(roll);
-        if (liesOnLine(camera, seen, pose, edge)) poses->push_back(pose);
+      const PosesOfCircle turns(circle, centre, side * solutions.pose[i].normal);
+      if (!turns.rimShows()) continue;
+      const Turns onto = turnsOntoLine(plane, turns, lever);
+      for (int k = 0; k < onto.count; ++k) {
+        const Turn& turn = onto.turn[size_t(k)];
+        if (liesOnSegment(camera, seen, turns.turnedBy(turn, first), turns.turnedBy(turn, last)))
+          poses->push_back(turns.turnedBy(turn));
       }
     }
+  }
 }
 
 }  // namespace monocular_eye_hand

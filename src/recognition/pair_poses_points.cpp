@@ -96,8 +96,8 @@ void posesOfCorner(const SearchImage& image, const GroupingPair& pair, std::vect
     }
 }
 
-void posesOfPair(const SearchImage& image, const ObjectModel& model, const GroupingPair& pair,
-                 std::vector<Rigid3>* poses) {
+void posesOfPair(const SearchImage& image, const ObjectModel& model, const DistanceRange& range,
+                 const GroupingPair& pair, std::vector<Rigid3>* poses) {
   switch (pair.seen.kind) {
     case GroupingKind::kEdge:
       return;
@@ -110,11 +110,11 @@ void posesOfPair(const SearchImage& image, const ObjectModel& model, const Group
     case GroupingKind::kParallelPair:
       return posesOfPoints(image, pair, poses);
     case GroupingKind::kEllipse:
-      return posesOfEllipse(image, model, pair, poses);
+      return posesOfEllipse(image, model, range, pair, poses);
     case GroupingKind::kEllipsePair:
-      return posesOfEllipsePair(image, model, pair, poses);
+      return posesOfEllipsePair(image, model, range, pair, poses);
     case GroupingKind::kEllipseLine:
-      return posesOfEllipseLine(image, model, pair, poses);
+      return posesOfEllipseLine(image, model, range, pair, poses);
   }
 }
 

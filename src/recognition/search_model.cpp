@@ -15,7 +15,6 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr size_t kMostCompared = 2000;  // vertices that tell whether two poses coincide
-constexpr int kViewSamples = 64;        // most contour samples of a view
 constexpr int kLookupSide = 24;         // cells along one side of a cube face
 constexpr double kCoarseSize =
     160;  // a part's diameter where its lines are told apart for the coarse score [px]
@@ -78,45 +77,6 @@ SampledView resolvedView(const ObjectModel& model, const SampledView& view, cons
   return resolved;
 }
 
-// Where a contour sample looks into the map, and how long a metre along it is there [px].
-struct MapLook {
-  int index = -1;  // EvidencePlanes::index
-  float length = 0;
-};
-
-// A pose in single precision, over the map.
-class PoseInMap {
- public:
-  PoseInMap(const Rigid3& pose, const Camera& camera, const EvidenceMap& map)
-      : map_(map),
-        rotation_(pose.rotation.cast<float>()),
-        translation_(pose.translation.cast<float>()),
-        fx_(float(camera.fx)),
-        fy_(float(camera.fy)),
-        cx_(float(camera.cx) - float(map.u0()) + 0.5f),
-        cy_(float(camera.cy) - float(map.v0()) + 0.5f) {}
-
-  // False: the sample is not in front of the camera.
-  bool lookAt(const ViewSample& sample, MapLook* look) const {
-    const Eigen::Vector3f p = rotation_ * sample.p + translation_;
-    if (p.z() <= 1e-3f) return false;
-    const Eigen::Vector3f d = rotation_ * sample.tangent;
-    const float w = 1.0f / p.z(), x = p.x() * w, y = p.y() * w;
-    const float du = fx_ * (d.x() - x * d.z()) * w, dv = fy_ * (d.y() - y * d.z()) * w;
-    const float u = fx_ * x + cx_, v = fy_ * y + cy_;
-    look->length = std::sqrt(du * du + dv * dv);
-    look->index = u < 0 || v < 0 ? -1 : map_.full().index(orientationBin(du, dv), int(u), int(v));
-    if (look->index >= 0) map_.full().fetch(look->index);
-    return true;
-  }
-
- private:
-  const EvidenceMap& map_;
-  Eigen::Matrix3f rotation_;
-  Eigen::Vector3f translation_;
-  float fx_, fy_, cx_, cy_;
-};
-
 }  // namespace
 
 SearchModel::SearchModel(const KnownObject& object)
@@ -126,19 +86,20 @@ SearchModel::SearchModel(const KnownObject& object)
   const Eigen::Vector3d centre = model().centre();
   for (const SampledView& view : object.views.views) {
     view_rotation_.push_back(lookAtRotation(view.direction));
-    steps_.push_back(float(sampleStepOf(view)));
+    float step = float(sampleStepOf(view));
     const SampledView resolved = resolvedView(model(), view, view_rotation_.back());
-    const FlatView flat = flatten(resolved, view_rotation_.back(), centre, steps_.back());
+    const FlatView flat = flatten(resolved, view_rotation_.back(), centre, step);
     std::vector<double> weight(flat.place.size());
     for (size_t i = 0; i < weight.size(); ++i) weight[i] = 1e3 + flat.place[i].norm();
-    const std::vector<int> order = spreadOrder(flat.place, weight, kViewSamples);
+    const std::vector<int> order = spreadOrder(flat.place, weight, CoarseContour::kMost);
     std::vector<ViewSample> samples;
     for (int i : order) {
       const ContourSample& s = resolved.contour[i];
       samples.push_back({s.p.cast<float>(), s.tangent.cast<float>(), s.group});
     }
     // Fewer samples stand for the same contour: the step grows accordingly.
-    if (!samples.empty()) steps_.back() *= float(resolved.contour.size()) / float(samples.size());
+    if (!samples.empty()) step *= float(resolved.contour.size()) / float(samples.size());
+    coarse_.emplace_back(samples, step);
     samples_.push_back(std::move(samples));
   }
   for (int i = 0; i < 8; ++i) extent_.push_back(model().bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
@@ -321,43 +282,6 @@ double SearchModel::poseDistance(const Camera& camera, const Rigid3& a, const Ri
     best = std::min(best, largest(turnedTowards(model(), b * s, a)));
   }
   return best;
-}
-
-CoarseScore scorePose(const SearchModel& model, int view, const Rigid3& pose, const Camera& camera,
-                      const EvidenceMap& map) {
-  constexpr CoarseScore kHopeless{-1e6f, 0};
-  const std::vector<ViewSample>& samples = model.samples(view);
-  const int count = int(samples.size());
-  const PoseInMap in_map(pose, camera, map);
-  std::array<MapLook, kViewSamples> looks;
-  float sum = 0;
-  float inside = 0;
-  float total = 0;
-
-  // A quarter, half, all: on average against the pose after a quarter, or not for it after half, is hopeless.
-  constexpr std::array<float, 3> kLeastMean{-0.6f, -0.1f, -1e6f};
-  const std::array<int, 3> ends{std::min(count, count / 4 + 1), std::min(count, count / 2 + 1), count};
-  int first = 0;
-  for (size_t part = 0; part < ends.size(); ++part) {
-    // All places first, then their values: the memory answers many at a time.
-    for (int i = first; i < ends[part]; ++i)
-      if (!in_map.lookAt(samples[size_t(i)], &looks[size_t(i)])) return kHopeless;
-    for (int i = first; i < ends[part]; ++i) {
-      const MapLook& look = looks[size_t(i)];
-      total += look.length;
-      const int8_t value = look.index < 0 ? kOutside : map.full().value(look.index);
-      if (value == kOutside) continue;
-      inside += look.length;
-      sum += look.length * float(value);
-    }
-    if (sum < kLeastMean[part] * kEvidenceUnit * inside) return kHopeless;
-    first = ends[part];
-  }
-
-  CoarseScore score;
-  score.evidence = sum * model.sampleStep(view) / (5.0f * kEvidenceUnit);
-  score.in_frame = total > 0 ? inside / total : 0;
-  return score;
 }
 
 }  // namespace monocular_eye_hand

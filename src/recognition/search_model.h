@@ -8,15 +8,9 @@
 #include "monocular_eye_hand/model/closest_point.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "recognition/anchors.h"
-#include "recognition/evidence.h"
+#include "recognition/coarse_score.h"
 
 namespace monocular_eye_hand {
-
-/// One contour sample of a sampled view, in single precision.
-struct ViewSample {
-  Eigen::Vector3f p, tangent;  ///< object frame; tangent unit
-  int group = 0;
-};
 
 /// How large a part looks from one side: of its convex hull, at the distance of its centre.
 struct ViewExtent {
@@ -35,8 +29,8 @@ class SearchModel {
   const std::vector<ModelGrouping>& groupings() const { return groupings_; }
   /// Contour samples of a view, ordered so that every prefix is spread over the whole contour.
   const std::vector<ViewSample>& samples(int view) const { return samples_[view]; }
-  /// Distance between neighbouring samples of a view [m].
-  float sampleStep(int view) const { return steps_[view]; }
+  /// The same for the coarse score.
+  const CoarseContour& coarse(int view) const { return coarse_[size_t(view)]; }
   /// Camera orientation of a view's flat template: rows are the camera's axes in the object frame.
   const Eigen::Matrix3d& viewRotation(int view) const { return view_rotation_[view]; }
 
@@ -73,7 +67,7 @@ class SearchModel {
   const KnownObject* object_;
   std::vector<ModelGrouping> groupings_;
   std::vector<std::vector<ViewSample>> samples_;
-  std::vector<float> steps_;
+  std::vector<CoarseContour> coarse_;
   std::vector<Eigen::Matrix3d> view_rotation_;
   std::vector<AnchorLevel> levels_;
   struct Nearest {
@@ -88,15 +82,5 @@ class SearchModel {
   std::vector<Eigen::Vector3d> hull_;  ///< vertices that are outermost in some direction
   ViewExtent largest_;
 };
-
-/// Coarse plausibility of a pose: evidence summed along the contour of the nearest sampled view.
-struct CoarseScore {
-  float evidence = 0;  ///< nats, one independent sample per 5 px of contour
-  float in_frame = 0;  ///< share of the contour inside the image
-};
-/// `pose` must be canonical with this view. Stops early and returns a very low score when the first quarter
-/// or half of the samples is hopeless.
-CoarseScore scorePose(const SearchModel& model, int view, const Rigid3& pose, const Camera& camera,
-                      const EvidenceMap& map);
 
 }  // namespace monocular_eye_hand

@@ -58,7 +58,7 @@ class EveryKind : public testing::Test {
     double best = 1e9;
     for (const Correspondence& order : known.orders) {
       std::vector<Rigid3> poses;
-      posesOfPair(image, model.model(), {seen.grouping, known, order}, &poses);
+      posesOfPair(image, model.model(), {}, {seen.grouping, known, order}, &poses);
       for (const Rigid3& p : poses) best = std::min(best, model.poseDistance(camera_, p, pose));
     }
     return best;

@@ -164,7 +164,7 @@ class OnPicture : public testing::TestWithParam<const char*> {
     int view = 0;
     const SearchModel& model = searchModel(GetParam());
     const Rigid3 canonical = model.canonical(pose, &view);
-    return scorePose(model, view, canonical, picture_.camera, map_);
+    return scorePose(model.coarse(view), canonical, picture_.camera, map_);
   }
   // Moved in the image by (du, dv) px, its distance times `stretch`, turned about its centre.
   Rigid3 moved(double du, double dv, double stretch, const Eigen::Vector3d& turn) const {
@@ -202,7 +202,7 @@ TEST_P(OnPicture, what_lies_beyond_the_image_says_nothing) {
   int view = 0;
   const SearchModel& model = searchModel(GetParam());
   const Rigid3 canonical = model.canonical(truth_, &view);
-  const CoarseScore half = scorePose(model, view, canonical, picture_.camera,
+  const CoarseScore half = scorePose(model.coarse(view), canonical, picture_.camera,
                                      EvidenceMap(detectFeatures(picture_.grey, picture_.camera), cut));
   EXPECT_GT(half.in_frame, 0.25);
   EXPECT_LT(half.in_frame, 0.75);
