@@ -150,7 +150,9 @@ class Bench:
 
     def _evaluate(self, folder, split, name, options):
         csv = self.out / f"{name}.csv"
-        command = [self.program("evaluate"), "--dataset", folder, "--split", split, *options, "--out", csv]
+        # One thread, unless the options say otherwise: times do not depend on the number of cores.
+        command = [self.program("evaluate"), "--dataset", folder, "--split", split, "--set", "threads=1", *options,
+                   "--out", csv]
         print("  evaluate", folder.name, split, *options, file=sys.stderr, flush=True)
         with open(csv.with_suffix(".log"), "w", encoding="utf-8") as log:
             code = subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, check=False).returncode

@@ -31,7 +31,7 @@ std::optional<Candidate> excused(const SearchTask& task, const std::vector<Candi
 
   Candidate seen = candidate;
   seen.occluders = std::move(occluders);
-  if (!bearsOut(task, &seen)) seen.terms.hidden = 0;
+  if (!bearsOut(task, &seen)) seen.terms.hidden = 0;  // nothing is excused
   return seen;
 }
 

@@ -1,12 +1,12 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
 #include <numeric>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -26,7 +26,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-using oneapi::tbb::task_arena;
+using tbb::task_arena;
 
 // Indices of the objects to look for; `only`: name of the one wanted, "" for all.
 std::vector<int> wantedObjects(const ModelBase& base, const std::string& only) {
@@ -57,7 +57,7 @@ bool anyAccepted(const std::vector<Candidate>& candidates, const RecognitionOpti
 }
 
 int threadsOf(const RecognitionOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1, oneapi::tbb::info::default_concurrency() - 1);
+  return options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()) - 1);
 }
 
 // Wong et al., 2.2, steps 2 to 6. `one_is_enough`: the search ends with the first accepted candidate.

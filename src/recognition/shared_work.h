@@ -1,7 +1,7 @@
 #pragma once
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
 
 #include <utility>
 #include <vector>
@@ -11,13 +11,13 @@
 namespace monocular_eye_hand {
 
 /// How many threads work here: those of the arena that the caller runs in.
-inline int threadsHere() { return oneapi::tbb::this_task_arena::max_concurrency(); }
+inline int threadsHere() { return tbb::this_task_arena::max_concurrency(); }
 
 /// Runs work(0) ... work(count - 1), several at once and in any order. What one of them throws is thrown
 /// here.
 template <class Work>
 void atOnce(int count, const Work& work) {
-  oneapi::tbb::parallel_for(0, count, 1, work, oneapi::tbb::simple_partitioner());
+  tbb::parallel_for(0, count, 1, work, tbb::simple_partitioner());
 }
 
 /// Runs work(i, &budget) for `count` pieces, several at once. For work that is not counted: each piece sees
