@@ -1,6 +1,7 @@
 #include "monocular_eye_hand/model/ray_scene.h"
 
 #include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <limits>
@@ -10,9 +11,10 @@
 namespace monocular_eye_hand {
 namespace {
 
-/// One device serves all scenes; it lives until the program ends.
+/// One device serves all scenes; it lives until the program ends. Its number of threads is left alone: Embree
+/// would hold the whole process, and all that works with TBB in it, to that number.
 RTCDevice device() {
-  static const RTCDevice shared = rtcNewDevice("threads=1");
+  static const RTCDevice shared = rtcNewDevice(nullptr);
   if (!shared)
     throw std::runtime_error("Embree cannot start: error " + std::to_string(rtcGetDeviceError(nullptr)));
   return shared;
@@ -64,7 +66,8 @@ RayScene::RayScene(const Mesh& mesh) : impl_(new Impl) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(impl_->scene, geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(impl_->scene);
+  // On one thread: the same tree, and so the same hits, every time.
+  tbb::task_arena(1).execute([&] { rtcCommitScene(impl_->scene); });
 }
 
 RayScene::~RayScene() = default;

@@ -1,4 +1,6 @@
 // What is asked of one recognition, what it refuses, and that the same question has the same answer.
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -126,6 +128,12 @@ TEST(SameQuestion, same_answer_bit_by_bit_on_any_number_of_threads) {
     expectSame(alone, shared.recognize(picture.grey, picture.camera));
     expectSame(alone, shared.recognize(picture.grey, picture.camera));
   }
+}
+
+TEST(Threads, the_ray_tracer_leaves_them_to_the_recogniser) {
+  ASSERT_FALSE(shippedRecognizer().models().objects.empty());  // with their ray scenes
+  EXPECT_GE(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
+            std::thread::hardware_concurrency());
 }
 
 TEST(SameQuestion, same_answer_bit_by_bit_on_any_number_of_threads_with_a_budget_or_one_wanted_object) {
