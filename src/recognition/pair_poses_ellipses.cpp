@@ -51,6 +51,7 @@ std::vector<Ellipse> variants(const Ellipse& seen) {
 const std::vector<Turn>& allTurns() {
   static const std::vector<Turn> kAll = [] {
     std::vector<Turn> turns;
+    turns.reserve(kRolls);
     for (int k = 0; k < kRolls; ++k)
       turns.push_back({std::cos(2 * M_PI * k / kRolls), std::sin(2 * M_PI * k / kRolls)});
     return turns;

@@ -82,8 +82,8 @@ struct Recognizer::Impl {
   std::once_flag rests_known;
   std::vector<std::vector<Eigen::Vector3d>> up_at_rest;  // made when a support plane is first given
 
-  Impl(ModelBase models_known, const RecognitionOptions& options_given)
-      : base(std::move(models_known)), options(options_given) {
+  Impl(ModelBase models_known, RecognitionOptions options_given)
+      : base(std::move(models_known)), options(std::move(options_given)) {
     std::vector<std::optional<SearchModel>> made(base.objects.size());
     task_arena arena(threadsOf(options));
     arena.execute(
@@ -106,7 +106,7 @@ struct Recognizer::Impl {
 Recognizer::Recognizer(ModelBase models, RecognitionOptions options) {
   options.check();
   if (models.objects.empty()) throw BadInput("the model base is empty: name at least one object");
-  impl_ = std::make_unique<Impl>(std::move(models), options);
+  impl_ = std::make_unique<Impl>(std::move(models), std::move(options));
 }
 
 Recognizer::~Recognizer() = default;
