@@ -128,6 +128,7 @@ double secondDifferenceNoise(const cv::Mat& grey, int step) {
       for (int k = 0; k < count; ++k)
         ++parts[size_t(k & 3)][size_t(std::min(int(differences[size_t(k)]), kBins - 1) + 1)];
     }
+
   std::array<int64_t, kBins> histogram{};
   int64_t total = 0;
   for (int bin = 0; bin < kBins; ++bin) {
@@ -135,6 +136,7 @@ double secondDifferenceNoise(const cv::Mat& grey, int step) {
     total += histogram[size_t(bin)];
   }
   if (total == 0) return 0;
+
   const double wanted = kShare * double(total);
   double below = 0;
   for (int bin = 0; bin < kBins; ++bin) {
@@ -154,6 +156,7 @@ GradientKernel gradientKernel(double sigma) {
   GradientKernel kernel;
   kernel.radius = std::min(kMaxRadius, std::max(1, int(std::ceil(3 * sigma))));
   const int r = kernel.radius;
+
   double sum = 0, moment = 0;
   std::vector<double> g(r + 1);
   for (int k = 0; k <= r; ++k) {
@@ -165,6 +168,7 @@ GradientKernel gradientKernel(double sigma) {
     kernel.smooth.push_back(float(g[k] / sum));
     kernel.derivative.push_back(float(k * g[k] / moment));
   }
+
   const std::vector<double> s = unfold(kernel.smooth, 1), d = unfold(kernel.derivative, -1);
   kernel.noise_gain = std::sqrt(energy(s) * energy(d));
   std::vector<double> difference(d.size() + 2, 0.0);

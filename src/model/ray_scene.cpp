@@ -49,9 +49,11 @@ RayScene::RayScene(const Mesh& mesh) : impl_(new Impl) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& v : mesh.vertices) box.extend(v);
   if (!mesh.vertices.empty()) impl_->centre = box.center();
+
   impl_->scene = rtcNewScene(device());
   rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_HIGH);
+
   const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
@@ -63,6 +65,7 @@ RayScene::RayScene(const Mesh& mesh) : impl_(new Impl) {
   for (const auto& triangle : mesh.triangles) {
     for (const int corner : triangle) *t++ = unsigned(corner);
   }
+
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(impl_->scene, geometry);
   rtcReleaseGeometry(geometry);

@@ -62,24 +62,16 @@ class EvidencePlanes {
   /// Where `value` finds the evidence of a pixel; -1 beyond the image.
   int index(int bin, int x, int y) const {
     if (unsigned(x) >= unsigned(width_) || unsigned(y) >= unsigned(height_)) return -1;
-    const unsigned column = unsigned(x) / kTile;
-    const unsigned row = unsigned(y) / kTile;
-    const unsigned tile = (unsigned(bin) * tiles_y_ + row) * tiles_x_ + column;
-    return int((tile * kTile + unsigned(y) % kTile) * kTile + unsigned(x) % kTile);
+    return placeOf(unsigned(bin), unsigned(x), unsigned(y));
   }
   /// The same of a place in the plane [px], 0 at the outer border of the first pixel.
   MONOCULAR_EYE_HAND_INLINE int indexNear(int bin, float x, float y) const {
     const bool inside = x >= 0 && y >= 0 && x < float(width_) && y < float(height_);
-    const unsigned column = unsigned(int(inside ? x : 0));
-    const unsigned row = unsigned(int(inside ? y : 0));
-    const unsigned tile = (unsigned(bin) * tiles_y_ + row / kTile) * tiles_x_ + column / kTile;
-    const int place = int((tile * kTile + row % kTile) * kTile + column % kTile);
+    const int place = placeOf(unsigned(bin), unsigned(int(inside ? x : 0)), unsigned(int(inside ? y : 0)));
     return inside ? place : -1;
   }
   int8_t value(int index) const { return values_[size_t(index)]; }
   int8_t& value(int index) { return values_[size_t(index)]; }
-  /// Asks the memory for a value that is wanted soon.
-  void fetch(int index) const { __builtin_prefetch(&values_[size_t(index)]); }
   /// The evidence of a pixel; kOutside beyond the image.
   int8_t at(int bin, int x, int y) const {
     const int place = index(bin, x, y);
@@ -88,6 +80,12 @@ class EvidencePlanes {
 
  private:
   static constexpr unsigned kTile = 8;  // side of a tile, which fills a line of the cache [px]
+
+  // Of a pixel in the plane.
+  MONOCULAR_EYE_HAND_INLINE int placeOf(unsigned bin, unsigned x, unsigned y) const {
+    const unsigned tile = (bin * tiles_y_ + y / kTile) * tiles_x_ + x / kTile;
+    return int((tile * kTile + y % kTile) * kTile + x % kTile);
+  }
 
   int width_ = 0, height_ = 0;
   unsigned tiles_x_ = 0, tiles_y_ = 0;
