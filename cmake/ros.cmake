@@ -92,6 +92,7 @@ function(ros_node name)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   add_dependencies(${target} ${PROJECT_NAME}_generate_messages_cpp)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
+  precompile(${target} node)
   set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_PROGRAMS ${target})
 endfunction()
 
