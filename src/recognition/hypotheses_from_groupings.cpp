@@ -40,18 +40,20 @@ std::vector<RankedGrouping> rankGroupings(const SearchImage& image, int object, 
   return ranked;
 }
 
-// The poses that lay the grouping over those of the model.
+// The poses that lay the grouping over those of the model, and from which the camera sees that one.
 void offerGrouping(const SearchImage& image, const RankedGrouping& ranked, const SearchModel& model,
                    const DistanceRange& range, HypothesisPool* pool, WorkBudget* budget) {
   const Grouping& seen = *ranked.seen;
   std::vector<Rigid3> poses;
-  for (const ModelGrouping& known : model.groupings()) {
+  for (size_t k = 0; k < model.groupings().size(); ++k) {
+    const ModelGrouping& known = model.groupings()[k];
     if (known.points.size() != seen.points.size()) continue;
     for (const Correspondence& order : correspondences(seen, known)) {
       if (budget->spent()) return;
       poses.clear();
       posesOfPair(image, model.model(), range, {seen, known, order}, &poses);
-      for (const Rigid3& pose : poses) pool->offer(pose, seen.kind, image.map, budget);
+      for (const Rigid3& pose : poses)
+        if (model.shows(k, pose)) pool->offer(pose, seen.kind, image.map, budget);
     }
   }
 }

@@ -63,8 +63,10 @@ SearchState searchRound(const SearchTask& task, SearchState state, const Round& 
 
 }  // namespace
 
-SearchState searchGroupings(const SearchTask& task, WorkBudget* budget, StageLog* log) {
+SearchState searchGroupings(const SearchTask& task, std::vector<Candidate> known, WorkBudget* budget,
+                            StageLog* log) {
   SearchState state;
+  state.candidates = std::move(known);
   for (int object : task.wanted) state.pools.emplace_back(task, object);
 
   // Every object has its part of the second round, too.

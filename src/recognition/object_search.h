@@ -17,7 +17,9 @@ struct SearchState {
 };
 
 /// First round: hypotheses from pairs of image and model groupings, aligned and judged object by object.
-SearchState searchGroupings(const SearchTask& task, WorkBudget* budget, StageLog* log);
+/// `known`: candidates of other objects.
+SearchState searchGroupings(const SearchTask& task, std::vector<Candidate> known, WorkBudget* budget,
+                            StageLog* log);
 
 /// Second round: hypotheses from single edges that no surely right explanation claims, with the view sphere.
 /// `chosen`: the explanations among the candidates so far.

@@ -27,6 +27,7 @@ void RecognitionOptions::check() const {
   require(search_width >= 160, "search_width", search_width, "must be at least 160 px");
   require(refined_per_object > 0, "refined_per_object", refined_per_object, "must be positive");
   require(verified_per_object > 0, "verified_per_object", verified_per_object, "must be positive");
+  require(thorough_models > 0, "thorough_models", thorough_models, "must be positive");
   require(rest_log_odds >= 0, "rest_log_odds", rest_log_odds, "must not be negative");
   require(budget >= 0, "budget", budget, "must not be negative (0 = no limit)");
   require(time_limit >= 0, "time_limit", time_limit, "must not be negative (0 = no limit) [s]");

@@ -12,6 +12,7 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "recognition/best_four_poses.h"
 #include "recognition/fine_pose.h"
+#include "recognition/first_look.h"
 #include "recognition/full_size.h"
 #include "recognition/judging.h"
 #include "recognition/object_search.h"
@@ -61,10 +62,13 @@ int threadsOf(const RecognitionOptions& options) {
 }
 
 // Wong et al., 2.2, steps 2 to 6. `one_is_enough`: the search ends with the first accepted candidate.
-std::vector<Candidate> search(const SearchTask& task, bool one_is_enough, WorkBudget* budget, StageLog* log) {
+std::vector<Candidate> search(const SearchTask& all, bool one_is_enough, WorkBudget* budget, StageLog* log) {
+  FirstLook first = lookFirst(all, budget, log);
+  const SearchTask task{all.image, all.models, first.promising, all.options, all.trace, all.support};
+
   // Steps 2 to 5: an unmatched pair makes a hypothesis, its characteristic view is laid on the image,
   // evaluated, and verified; what the image bears out is recorded as a candidate.
-  SearchState found = searchGroupings(task, budget, log);
+  SearchState found = searchGroupings(task, std::move(first.candidates), budget, log);
   if (one_is_enough && anyAccepted(found.candidates, task.options)) return std::move(found.candidates);
 
   // Step 6: again from step 2, with single edges, until all groupings have been used; the search for one

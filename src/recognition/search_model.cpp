@@ -19,6 +19,7 @@ constexpr int kLookupSide = 24;         // cells along one side of a cube face
 constexpr double kCoarseSize =
     160;  // a part's diameter where its lines are told apart for the coarse score [px]
 constexpr double kSquare = 0.15;    // sides that differ by less of the larger one are taken for each other
+constexpr double kBeside = 0.3;     // eyes this near to one that sees a grouping may see it, too [rad]
 constexpr double kSameTurn = 0.06;  // rotations nearer than this are one [rad]
 
 int lookupCell(const Eigen::Vector3d& d) {
@@ -104,6 +105,7 @@ SearchModel::SearchModel(const KnownObject& object)
   }
   for (int i = 0; i < 8; ++i) extent_.push_back(model().bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
   buildLookup();
+  buildShown();
   levels_ = anchorLevels(object, view_rotation_);
   buildBoxTurns();
   buildHull();
@@ -222,6 +224,45 @@ void SearchModel::buildLookup() {
       }
     }
   }
+}
+
+void SearchModel::buildShown() {
+  const Symmetries& symmetries = model().symmetries;
+  const size_t directions = size_t(object_->views.directions);
+  const size_t copies = symmetries.discrete.size();
+  const auto eye = [&](size_t copy, size_t view) -> Eigen::Vector3d {
+    return symmetries.discrete[copy].rotation * object_->views.views[view].direction;
+  };
+  const auto beside = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    if (symmetries.sphere) return true;
+    if (!symmetries.axis) return a.dot(b) >= std::cos(kBeside);
+    const Eigen::Vector3d& axis = symmetries.axis->direction;  // only the tilt counts
+    const auto tilt = [&](const Eigen::Vector3d& d) { return std::acos(std::clamp(axis.dot(d), -1.0, 1.0)); };
+    return std::abs(tilt(a) - tilt(b)) <= kBeside;
+  };
+
+  // Eyes of the lookup beside each that `seen` may name: with a symmetry's inverse.
+  std::vector<std::vector<size_t>> neighbours(copies * directions);
+  for (size_t i = 0; i < neighbours.size(); ++i) {
+    const Eigen::Vector3d from =
+        symmetries.discrete[i / directions].rotation.transpose() * eye(0, i % directions);
+    for (size_t k = 0; k < neighbours.size(); ++k)
+      if (beside(eye(k / directions, k % directions), from)) neighbours[i].push_back(k);
+  }
+
+  for (const ModelGrouping& grouping : groupings_) {
+    std::vector<char> shown(neighbours.size(), 0);
+    for (const SeenFrom& from : grouping.seen)
+      for (size_t k : neighbours[size_t(from.symmetry) * directions + size_t(from.view)]) shown[k] = 1;
+    shown_.push_back(std::move(shown));
+  }
+}
+
+bool SearchModel::shows(size_t grouping, const Rigid3& pose) const {
+  const Eigen::Vector3d eye = -(pose.rotation.transpose() * pose.translation);
+  const Nearest nearest = lookup_[size_t(lookupCell(eye - model().centre()))];
+  return shown_[grouping][size_t(nearest.symmetry) * size_t(object_->views.directions) +
+                          size_t(nearest.direction)] != 0;
 }
 
 Rigid3 SearchModel::canonical(const Rigid3& pose, int* view) const {

@@ -14,6 +14,19 @@ WorkBudget WorkBudget::part(int parts) const {
   return part;
 }
 
+WorkBudget WorkBudget::upTo(long long most) const {
+  WorkBudget piece = part(1);
+  piece.limit_ = limited_ ? std::min(piece.limit_, most) : most;
+  piece.limited_ = true;
+  return piece;
+}
+
+void WorkBudget::addPiece(const WorkBudget& piece) {
+  scored_ += piece.scored_;
+  cut_by_work_ = cut_by_work_ || (piece.cut_by_work_ && limited_ && scored_ >= limit_);
+  cut_by_time_ = cut_by_time_ || piece.cut_by_time_;
+}
+
 void WorkBudget::add(const WorkBudget& part) {
   scored_ += part.scored_;
   cut_by_work_ = cut_by_work_ || part.cut_by_work_;

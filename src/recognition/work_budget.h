@@ -15,8 +15,12 @@ class WorkBudget {
   /// A budget for the next part: an equal share of the work that is left, for one of `parts` that are still
   /// to come. Without a limit, parts may be worked on at once.
   WorkBudget part(int parts) const;
+  /// A budget for a piece of this part: no more than `most` of its work.
+  WorkBudget upTo(long long most) const;
   /// Counts what a part of this budget has spent.
   void add(const WorkBudget& part);
+  /// The same of a piece: that `most` has cut it is no news.
+  void addPiece(const WorkBudget& piece);
 
   void count(int scored = 1) { scored_ += scored; }
   long long scored() const { return scored_; }  ///< of a part: since it was made

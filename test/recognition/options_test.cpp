@@ -32,6 +32,7 @@ TEST(RecognitionOptions, a_value_out_of_range_is_named_with_its_value_and_the_ru
                                                     {"search_width", "100", "at least"},
                                                     {"refined_per_object", "0", "positive"},
                                                     {"verified_per_object", "-3", "positive"},
+                                                    {"thorough_models", "0", "positive"},
                                                     {"budget", "-1", "negative"},
                                                     {"time_limit", "-2", "negative"},
                                                     {"threads", "-1", "negative"},

@@ -49,6 +49,46 @@ std::vector<Rigid3> copies(const ObjectModel& model, const Rigid3& pose) {
   return all;
 }
 
+// The camera at `eye` (from the centre, object frame) looks at the centre.
+Rigid3 seenFrom(const SearchModel& model, const Eigen::Vector3d& eye) {
+  Rigid3 pose;
+  pose.rotation =
+      Eigen::Quaterniond::FromTwoVectors(-eye, Eigen::Vector3d::UnitZ()).normalized().toRotationMatrix();
+  pose.translation = Eigen::Vector3d(0, 0, eye.norm()) - pose.rotation * model.model().centre();
+  return pose;
+}
+
+TEST(SearchModel, a_grouping_shows_wherever_a_sampled_view_sees_it_or_an_equal_copy) {
+  for (const char* part : kParts) {
+    const SearchModel& model = searchModel(part);
+    const std::vector<Rigid3>& symmetries = model.model().symmetries.discrete;
+    for (size_t g = 0; g < model.groupings().size(); ++g)
+      for (const SeenFrom& from : model.groupings()[g].seen) {
+        const SampledView& view = model.object().views.views[size_t(from.view)];
+        const Eigen::Vector3d eye =
+            symmetries[size_t(from.symmetry)].rotation.transpose() * view.direction * view.distance;
+        ASSERT_TRUE(model.shows(g, seenFrom(model, eye))) << part << ", grouping " << g;
+      }
+  }
+}
+
+TEST(SearchModel, the_corners_of_a_face_do_not_show_from_behind) {
+  int faces = 0;
+  for (const char* part : {"bridge", "grenade", "bracket"}) {
+    const SearchModel& model = searchModel(part);
+    for (size_t g = 0; g < model.groupings().size(); ++g) {
+      const ModelGrouping& quad = model.groupings()[g];
+      if (quad.kind != GroupingKind::kQuad) continue;
+      const Eigen::Vector3d normal =
+          (quad.points[1] - quad.points[0]).cross(quad.points[2] - quad.points[1]).normalized();
+      const bool front = model.shows(g, seenFrom(model, normal)), back = model.shows(g, seenFrom(model, -normal));
+      EXPECT_FALSE(front && back) << part << ", grouping " << g;
+      faces += front != back;
+    }
+  }
+  EXPECT_GE(faces, 10);
+}
+
 TEST(SearchModel, a_canonical_pose_is_equal_and_its_view_is_near_the_eye) {
   std::mt19937 random(1);
   for (const char* part : kParts) {

@@ -1,0 +1,83 @@
+#include "recognition/first_look.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "recognition/hypotheses.h"
+#include "recognition/judging.h"
+#include "recognition/shared_work.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr long long kHypotheses = 30000;  // of each model
+constexpr int kRefined = 100;             // of these, moved onto the edges
+constexpr int kVerified = 10;             // of these, judged
+constexpr int kOneIn = 5;                 // of the models beyond thorough_models one in so many is promising
+
+// What a look for one model has shown.
+struct Looked {
+  std::vector<Candidate> candidates;
+
+  double probability() const {
+    double best = 0;
+    for (const Candidate& candidate : candidates) best = std::max(best, candidate.probability);
+    return best;
+  }
+};
+
+Looked lookFor(const SearchTask& task, int object, WorkBudget* budget) {
+  HypothesisPool pool(task, object);
+  WorkBudget first = budget->upTo(kHypotheses);
+  hypothesesFromGroupings(task.image, object, task.models[size_t(object)], task.options, &pool, &first);
+  budget->addPiece(first);
+
+  StageLog unread;
+  return {judgeHypotheses(task, object, &pool, kRefined, {}, budget, &unread)};
+}
+
+}  // namespace
+
+FirstLook lookFirst(const SearchTask& task, WorkBudget* budget, StageLog* log) {
+  const int models = int(task.wanted.size()), thorough = task.options.thorough_models;
+  if (models <= thorough) return {task.wanted, {}};
+
+  RecognitionOptions brief = task.options;
+  brief.verified_per_object = std::min(brief.verified_per_object, kVerified);
+  const SearchTask looking{task.image, task.models, task.wanted, brief, nullptr, task.support};
+  const int promising = thorough + (models - thorough) / kOneIn;
+  std::vector<Looked> looked(size_t(models), Looked{});
+  log->timed("first look", [&](StageReport* report) {
+    const long long before = budget->scored();
+    inParts(models, 2 * promising, budget, [&](int i, WorkBudget* part) {
+      looked[size_t(i)] = lookFor(looking, task.wanted[size_t(i)], part);
+    });
+    report->counts = {{"models", models}, {"promising", promising}, {"scored", double(budget->scored() - before)}};
+  });
+
+  std::vector<int> order(looked.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return looked[size_t(a)].probability() > looked[size_t(b)].probability();
+  });
+  if (getenv("MEH_RANKS")) {
+    for (size_t k = 0; k < order.size(); ++k)
+      fprintf(stderr, "rank %zu %s %.3g\n", k, task.models[size_t(task.wanted[size_t(order[k])])].object().name.c_str(), looked[size_t(order[k])].probability());
+  }
+  std::vector<char> chosen(looked.size(), 0);
+  for (int k = 0; k < promising; ++k) chosen[size_t(order[size_t(k)])] = 1;
+
+  FirstLook first;
+  for (size_t i = 0; i < looked.size(); ++i) {
+    std::vector<Candidate>& candidates = looked[i].candidates;
+    if (chosen[i])
+      first.promising.push_back(task.wanted[i]);
+    else
+      std::move(candidates.begin(), candidates.end(), std::back_inserter(first.candidates));
+  }
+  return first;
+}
+
+}  // namespace monocular_eye_hand
