@@ -1,5 +1,5 @@
 # The headers that most files begin with, those of the standard library and of libraries that do not change with the
-# package, are parsed once for all files: the build takes half the time. A header of the package is never among them.
+# package, are parsed once for all files: a file compiles in half the time. A header of the package is never among them.
 #   precompile(<target> <kind>)    kind: library (position-independent), program, test, node, node_test
 # Code with compile options of its own cannot use them and is left out where it sets those options.
 # Each file still includes what it uses: -DMONOCULAR_EYE_HAND_PRECOMPILED_HEADERS=OFF builds without.

@@ -1,5 +1,5 @@
-// Headers that most files begin with, see precompiled.cmake. Where a header is not on the path of a target (it cannot use
-// the parsed form then), it is passed over.
+// Headers that most files begin with, see precompiled.cmake. Where a header is not on the path of a target
+// (it cannot use the parsed form then), it is passed over.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -12,10 +12,10 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr long long kHypotheses = 30000;  // of each model
-constexpr int kRefined = 100;             // of these, moved onto the edges
+constexpr long long kHypotheses = 60000;  // of each model
+constexpr int kRefined = 150;             // of these, moved onto the edges
 constexpr int kVerified = 10;             // of these, judged
-constexpr int kOneIn = 5;                 // of the models beyond thorough_models one in so many is promising
+constexpr int kOneIn = 10;                // of the models beyond thorough_models one in so many is promising
 
 // What a look for one model has shown.
 struct Looked {
@@ -54,7 +54,8 @@ FirstLook lookFirst(const SearchTask& task, WorkBudget* budget, StageLog* log) {
     inParts(models, 2 * promising, budget, [&](int i, WorkBudget* part) {
       looked[size_t(i)] = lookFor(looking, task.wanted[size_t(i)], part);
     });
-    report->counts = {{"models", models}, {"promising", promising}, {"scored", double(budget->scored() - before)}};
+    report->counts = {
+        {"models", models}, {"promising", promising}, {"scored", double(budget->scored() - before)}};
   });
 
   std::vector<int> order(looked.size());
@@ -62,10 +63,6 @@ FirstLook lookFirst(const SearchTask& task, WorkBudget* budget, StageLog* log) {
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return looked[size_t(a)].probability() > looked[size_t(b)].probability();
   });
-  if (getenv("MEH_RANKS")) {
-    for (size_t k = 0; k < order.size(); ++k)
-      fprintf(stderr, "rank %zu %s %.3g\n", k, task.models[size_t(task.wanted[size_t(order[k])])].object().name.c_str(), looked[size_t(order[k])].probability());
-  }
   std::vector<char> chosen(looked.size(), 0);
   for (int k = 0; k < promising; ++k) chosen[size_t(order[size_t(k)])] = 1;
 

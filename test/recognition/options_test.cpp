@@ -82,6 +82,7 @@ TEST(RecognitionOptions, every_field_is_written_and_read_back) {
   options.search_width = 640;
   options.refined_per_object = 100;
   options.verified_per_object = 20;
+  options.thorough_models = 3;
   options.budget = 5000;
   options.time_limit = 2;
   options.threads = 3;

@@ -81,7 +81,8 @@ TEST(SearchModel, the_corners_of_a_face_do_not_show_from_behind) {
       if (quad.kind != GroupingKind::kQuad) continue;
       const Eigen::Vector3d normal =
           (quad.points[1] - quad.points[0]).cross(quad.points[2] - quad.points[1]).normalized();
-      const bool front = model.shows(g, seenFrom(model, normal)), back = model.shows(g, seenFrom(model, -normal));
+      const bool front = model.shows(g, seenFrom(model, normal)),
+                 back = model.shows(g, seenFrom(model, -normal));
       EXPECT_FALSE(front && back) << part << ", grouping " << g;
       faces += front != back;
     }
