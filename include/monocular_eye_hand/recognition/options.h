@@ -19,12 +19,11 @@ struct RecognitionOptions {
   int search_width = 960;  ///< wider images are searched at half size (again and again), refined in full [px]
   int refined_per_object = 600;  ///< hypotheses moved onto the edges, per object and round
   int verified_per_object = 60;  ///< of these, refined on the exact contour and judged
-  int thorough_models = 8;       ///< models searched for to the end, of those beyond one in ten: the most
-                            ///< promising at a first look
-  int budget = 0;         ///< most hypotheses scored per image; 0 = until all groupings are used
-  double time_limit = 0;  ///< wall-clock cut [s]; 0 = none. A result it cuts says truncated.
-  int threads = 0;        ///< that share the work on one image, which has the same answer; 0 = one
-                          ///< for every core but one
+  int thorough_models = 8;       ///< models searched for to the end; of those beyond, the best tenth
+  int budget = 0;                ///< most hypotheses scored per image; 0 = until all groupings are used
+  double time_limit = 0;         ///< wall-clock cut [s]; 0 = none. A result it cuts says truncated.
+  int threads = 0;               ///< that share the work on one image, which has the same answer; 0 = one
+                                 ///< for every core but one
   double accept_probability = 0.5;
   double rest_log_odds = 2.0;    ///< most that a pose gains which rests on a known support plane [log-odds]
   double ambiguous_ratio = 0.5;  ///< an alternative this likely relative to the best makes a result ambiguous
