@@ -60,6 +60,29 @@ TEST(WorkBudget, without_limits_nothing_is_ever_spent) {
   EXPECT_FALSE(budget.cutByTime());
 }
 
+// What a piece of at most `most` does before it stops.
+WorkBudget donePiece(const WorkBudget& budget, long long most) {
+  WorkBudget piece = budget.upTo(most);
+  while (!piece.spent()) piece.count();
+  return piece;
+}
+
+TEST(WorkBudget, a_piece_ends_at_its_size_which_cuts_nothing_of_the_whole) {
+  for (WorkBudget budget : {WorkBudget(), WorkBudget(100)}) {
+    budget.addPiece(donePiece(budget, 30));
+    EXPECT_EQ(budget.scored(), 30);
+    EXPECT_FALSE(budget.cutByWork());
+  }
+}
+
+TEST(WorkBudget, a_piece_larger_than_what_is_left_is_cut_by_the_whole) {
+  WorkBudget budget(100);
+  budget.count(80);
+  budget.addPiece(donePiece(budget, 30));
+  EXPECT_EQ(budget.scored(), 100);
+  EXPECT_TRUE(budget.cutByWork());
+}
+
 TEST(WorkBudget, time_that_is_over_stops_what_is_not_counted_too) {
   WorkBudget budget(0, 1e-9);
   EXPECT_TRUE(budget.outOfTime());
