@@ -1,6 +1,4 @@
-// The same for nodes.
-#include "standard.h"
-
+// Headers that most nodes begin with, parsed once, see cmake/precompiled.cmake.
 #if __has_include(<ros/ros.h>)
 #include <actionlib/client/simple_action_client.h>
 #include <actionlib/server/simple_action_server.h>
