@@ -10,7 +10,7 @@ namespace monocular_eye_hand {
 
 /// What a first look at the image tells about the models of a large base.
 struct FirstLook {
-  std::vector<int> promising;         ///< of the wanted models those that the image speaks for most, ascending
+  std::vector<int> promising;  ///< of the wanted models those that the image speaks for most, ascending
   std::vector<Candidate> candidates;  ///< of the others, in the order of the models
 };
 

@@ -38,7 +38,8 @@ class SearchModel {
   /// sphere; *view is the sampled view nearest to it.
   Rigid3 canonical(const Rigid3& camera_from_object, int* view) const;
 
-  /// Whether a grouping (its number) shows as a whole under a pose: from the eye's direction or one beside it.
+  /// Whether a grouping (its number) shows as a whole under a pose: from the eye's direction or one beside
+  /// it.
   bool shows(size_t grouping, const Rigid3& camera_from_object) const;
 
   /// Wong et al., 2.3.1: the camera is outside the object's (bounding) hull and every point is in front of
@@ -78,9 +79,9 @@ class SearchModel {
     int16_t direction = 0;
     int16_t symmetry = 0;
   };
-  std::vector<Nearest> lookup_;  ///< cube map of eye directions
+  std::vector<Nearest> lookup_;           ///< cube map of eye directions
   std::vector<std::vector<char>> shown_;  ///< of every grouping: by symmetry and direction of the lookup
-  double meridian_ = 0;          ///< azimuth of the sampled views about a free axis [rad]
+  double meridian_ = 0;                   ///< azimuth of the sampled views about a free axis [rad]
   std::vector<Eigen::Vector3d> extent_;
   std::vector<Rigid3> box_turns_;
   std::shared_ptr<const ClosestPoint> surface_;

@@ -24,23 +24,16 @@ std::string refusal(const std::string& yaml) {
 TEST(RecognitionOptions, defaults_hold) { EXPECT_NO_THROW(RecognitionOptions{}.check()); }
 
 TEST(RecognitionOptions, a_value_out_of_range_is_named_with_its_value_and_the_rule) {
-  const std::vector<std::array<const char*, 3>> bad{{"min_distance", "-0.5", "positive"},
-                                                    {"max_distance", "0.01", "min_distance"},
-                                                    {"min_size", "2", "at least"},
-                                                    {"min_in_frame", "0", "(0, 1]"},
-                                                    {"min_in_frame", "1.5", "(0, 1]"},
-                                                    {"search_width", "100", "at least"},
-                                                    {"refined_per_object", "0", "positive"},
-                                                    {"verified_per_object", "-3", "positive"},
-                                                    {"thorough_models", "0", "positive"},
-                                                    {"budget", "-1", "negative"},
-                                                    {"time_limit", "-2", "negative"},
-                                                    {"threads", "-1", "negative"},
-                                                    {"accept_probability", "1", "(0, 1)"},
-                                                    {"accept_probability", "0", "(0, 1)"},
-                                                    {"rest_log_odds", "-0.5", "negative"},
-                                                    {"ambiguous_ratio", "0", "(0, 1]"},
-                                                    {"ambiguous_ratio", "1.25", "(0, 1]"}};
+  const std::vector<std::array<const char*, 3>> bad{
+      {"min_distance", "-0.5", "positive"},    {"max_distance", "0.01", "min_distance"},
+      {"min_size", "2", "at least"},           {"min_in_frame", "0", "(0, 1]"},
+      {"min_in_frame", "1.5", "(0, 1]"},       {"search_width", "100", "at least"},
+      {"refined_per_object", "0", "positive"}, {"verified_per_object", "-3", "positive"},
+      {"thorough_models", "0", "positive"},    {"budget", "-1", "negative"},
+      {"time_limit", "-2", "negative"},        {"threads", "-1", "negative"},
+      {"accept_probability", "1", "(0, 1)"},   {"accept_probability", "0", "(0, 1)"},
+      {"rest_log_odds", "-0.5", "negative"},   {"ambiguous_ratio", "0", "(0, 1]"},
+      {"ambiguous_ratio", "1.25", "(0, 1]"}};
   for (const auto& [field, value, rule] : bad) {
     EXPECT_THAT(refusal(std::string(field) + ": " + value),
                 AllOf(HasSubstr(field), HasSubstr(value), HasSubstr(rule)));
