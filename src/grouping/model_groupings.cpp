@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "model_symmetry.h"
 
@@ -10,8 +12,8 @@ namespace {
 constexpr double kWholeEdge = 0.7;
 // An ellipse can be found from this share of a circle: of a cylinder's lower rim one sees half.
 constexpr double kWholeCircle = 0.4;
-// Groupings kept per kind: the most visible.
-constexpr size_t kMostKept = 4000;
+// Groupings kept per kind: the most telling.
+constexpr size_t kMostKept = 500;
 
 /// Which features each view of the nearest distance shows as a whole, and how much of the view sphere it
 /// stands for.
@@ -86,6 +88,29 @@ void fillViews(const ObjectModel& model, const Visibility& visibility, const std
   }
 }
 
+/// Size of the smallest feature [m], which an image must resolve.
+double smallestFeature(const ObjectModel& model, const ModelGrouping& m) {
+  double smallest = model.diameter;
+  for (int e : m.edges) smallest = std::min(smallest, (model.edges[e].q - model.edges[e].p).norm());
+  for (int c : m.circles) smallest = std::min(smallest, 2 * model.circles[c].radius);
+  return smallest;
+}
+
+/// Of each kind those that an image is most likely to show: large ones, in many views.
+std::vector<ModelGrouping> mostTelling(const ObjectModel& model, const std::vector<ModelGrouping>& all) {
+  std::array<std::vector<std::pair<double, size_t>>, kGroupingKinds> ranked;
+  for (size_t i = 0; i < all.size(); ++i)
+    ranked[size_t(all[i].kind)].emplace_back(-all[i].weight * smallestFeature(model, all[i]), i);
+
+  std::vector<ModelGrouping> kept;
+  for (std::vector<std::pair<double, size_t>>& kind : ranked) {
+    std::sort(kind.begin(), kind.end());
+    if (kind.size() > kMostKept) kind.resize(kMostKept);
+    for (const auto& [rank, i] : kind) kept.push_back(all[i]);
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::vector<ModelGrouping> modelGroupings(const KnownObject& object) {
@@ -98,13 +123,10 @@ std::vector<ModelGrouping> modelGroupings(const KnownObject& object) {
     all.erase(std::remove_if(all.begin(), all.end(), [](const ModelGrouping& m) { return m.views.empty(); }),
               all.end());
   }
-  std::stable_sort(all.begin(), all.end(), [](const ModelGrouping& a, const ModelGrouping& b) {
+  std::vector<ModelGrouping> kept = mostTelling(object.model, all);
+  std::stable_sort(kept.begin(), kept.end(), [](const ModelGrouping& a, const ModelGrouping& b) {
     return a.kind != b.kind ? a.kind < b.kind : a.weight > b.weight;
   });
-  std::vector<ModelGrouping> kept;
-  std::array<size_t, kGroupingKinds> count{};
-  for (ModelGrouping& m : all)
-    if (count[int(m.kind)]++ < kMostKept) kept.push_back(std::move(m));
   return kept;
 }
 

@@ -104,6 +104,10 @@ Rigid3 poseFromRuler(const SearchModel& model, const Anchor& anchor, const Ruler
   return pose;
 }
 
+// A coordinate of the image [uv_rect px] as one of the half-resolution map that begins at `origin`, and back.
+float inHalfMap(double image, int origin) { return float(image - origin) * 0.5f + 0.5f; }
+float inImage(float half, int origin) { return (half - 0.5f) * 2 + float(origin); }
+
 // Segments from both ends, the longest first.
 std::vector<Ruler> rulersOf(const SearchImage& image, const std::vector<char>& usable) {
   const std::vector<LineSegment>& segments = image.features.segments;
@@ -117,8 +121,8 @@ std::vector<Ruler> rulersOf(const SearchImage& image, const std::vector<char>& u
   const auto add = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
     const Eigen::Vector2d d = q - p;
     Ruler ruler{p, q, 0, 0, float(d.x()) * 0.5f, float(d.y()) * 0.5f, 0};
-    ruler.px = float(p.x() - image.map.u0()) * 0.5f + 0.5f;
-    ruler.py = float(p.y() - image.map.v0()) * 0.5f + 0.5f;
+    ruler.px = inHalfMap(p.x(), image.map.u0());
+    ruler.py = inHalfMap(p.y(), image.map.v0());
     ruler.turn = int(std::lround(std::atan2(d.y(), d.x()) / M_PI * 256.0)) & 255;
     rulers.push_back(ruler);
   };
@@ -165,15 +169,18 @@ struct RulerSearch {
     const Ruler& ruler = rulers[size_t(r)];
     const Anchor& anchor = model.levels()[size_t(l)].anchors[size_t(a)];
     budget->count();
+
+    // The object's centre decides the place.
+    const float u =
+        inImage(ruler.px + ruler.dx * anchor.centre_x - ruler.dy * anchor.centre_y, image.map.u0());
+    const float v =
+        inImage(ruler.py + ruler.dx * anchor.centre_y + ruler.dy * anchor.centre_x, image.map.v0());
+    if (!found->best.hasPlace(u, v)) return;
+
     const int sum = flatEvidence(anchor, ruler, image.map.half(), kBins);
     if (sum < kAfterAll) return;
-
-    // The object's centre decides the place; of one beyond the image the nearest in it.
-    const float u = 2 * (ruler.px + ruler.dx * anchor.centre_x - ruler.dy * anchor.centre_y);
-    const float v = 2 * (ruler.py + ruler.dx * anchor.centre_y + ruler.dy * anchor.centre_x);
     const float score = float(sum) * anchor.contour / anchor.length * length;
-    found->best.offer(std::clamp(u, 0.0f, float(image.camera.width - 1)),
-                      std::clamp(v, 0.0f, float(image.camera.height - 1)), {score, r, l, a});
+    found->best.offer(u, v, {score, r, l, a});
   }
 };
 

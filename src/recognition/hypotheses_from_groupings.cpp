@@ -8,7 +8,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kMaxPerKind = 200;  // best image groupings tried per kind
+constexpr int kMaxPerKind = 100;  // best image groupings tried per kind
 
 struct RankedGrouping {
   const Grouping* seen = nullptr;

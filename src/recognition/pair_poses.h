@@ -32,7 +32,8 @@ void posesOfPair(const SearchImage& image, const ObjectModel& model, const Dista
                  const GroupingPair& pair, std::vector<Rigid3>* poses);
 
 // The kinds, for posesOfPair().
-void posesOfPoints(const SearchImage& image, const GroupingPair& pair, std::vector<Rigid3>* poses);
+void posesOfPoints(const SearchImage& image, const ObjectModel& model, const DistanceRange& range,
+                   const GroupingPair& pair, std::vector<Rigid3>* poses);
 void posesOfCorner(const SearchImage& image, const GroupingPair& pair, std::vector<Rigid3>* poses);
 void posesOfEllipse(const SearchImage& image, const ObjectModel& model, const DistanceRange& range,
                     const GroupingPair& pair, std::vector<Rigid3>* poses);

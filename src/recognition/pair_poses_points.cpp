@@ -35,6 +35,20 @@ std::array<int, 3> widestTriangle(const std::vector<Eigen::Vector2d>& p) {
   return best;
 }
 
+// Whether the object is surely nearer than it is looked for when its points (columns, object frame) are seen
+// on these bearings: neither end of a side is farther away than its length over the sine of its angle.
+bool surelyTooNear(const DistanceRange& range, const ObjectModel& model, const Eigen::Matrix3d& bearings,
+                   const Eigen::Matrix3d& points) {
+  for (int i = 0; i < 3; ++i) {
+    const int next = (i + 1) % 3;
+    const double length = (points.col(i) - points.col(next)).norm();
+    const double sine = bearings.col(i).cross(bearings.col(next)).norm();
+    const double apart = (points.col(i) - model.centre()).norm();
+    if (length + apart * sine < range.nearest * sine) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool fixesPose(const Grouping& seen) {
@@ -56,7 +70,8 @@ bool fixesPose(const Grouping& seen) {
   return false;
 }
 
-void posesOfPoints(const SearchImage& image, const GroupingPair& pair, std::vector<Rigid3>* poses) {
+void posesOfPoints(const SearchImage& image, const ObjectModel& model, const DistanceRange& range,
+                   const GroupingPair& pair, std::vector<Rigid3>* poses) {
   const auto& [seen, known, order] = pair;
   const std::array<int, 3> use = widestTriangle(seen.points);
   Eigen::Matrix3d bearings, points;
@@ -64,6 +79,8 @@ void posesOfPoints(const SearchImage& image, const GroupingPair& pair, std::vect
     bearings.col(i) = image.camera.ray(seen.points[use[i]]).normalized();
     points.col(i) = known.points[order.points[use[i]]];
   }
+  if (surelyTooNear(range, model, bearings, points)) return;
+
   const PoseSolutions roots = solveP3P(bearings, points);
   for (int i = 0; i < roots.count; ++i) {
     const Rigid3& pose = roots.camera_from_object[i];
@@ -108,7 +125,7 @@ void posesOfPair(const SearchImage& image, const ObjectModel& model, const Dista
     case GroupingKind::kChain:
     case GroupingKind::kQuad:
     case GroupingKind::kParallelPair:
-      return posesOfPoints(image, pair, poses);
+      return posesOfPoints(image, model, range, pair, poses);
     case GroupingKind::kEllipse:
       return posesOfEllipse(image, model, range, pair, poses);
     case GroupingKind::kEllipsePair:

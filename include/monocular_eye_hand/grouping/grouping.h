@@ -143,7 +143,8 @@ std::vector<Grouping> groupFeatures(const FeatureSet& features, const ModelBase&
                                     const GroupingOptions& options = {});
 
 /// The groupings of one model, in the order of GroupingKind, each kind by falling weight. Those that no
-/// sampled view shows are left out; without sampled views (object.views empty) all are kept with weight 0.
+/// sampled view shows are left out; without sampled views (object.views empty) all have weight 0. Of each
+/// kind the 500 most telling are kept: seen in many views, of large features.
 std::vector<ModelGrouping> modelGroupings(const KnownObject& object);
 
 }  // namespace monocular_eye_hand

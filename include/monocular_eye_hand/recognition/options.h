@@ -17,8 +17,8 @@ struct RecognitionOptions {
   double min_size = 32.0;      ///< smallest image of an object's diameter considered [px]
   double min_in_frame = 0.4;   ///< smallest share of an object's contour inside the image
   int search_width = 960;  ///< wider images are searched at half size (again and again), refined in full [px]
-  int refined_per_object = 600;  ///< hypotheses moved onto the edges, per object and round
-  int verified_per_object = 60;  ///< of these, refined on the exact contour and judged
+  int refined_per_object = 300;  ///< hypotheses moved onto the edges, per object and round
+  int verified_per_object = 30;  ///< of these, refined on the exact contour and judged
   int thorough_models = 100;     ///< models searched for to the end; of those beyond, the best tenth
   int budget = 0;                ///< most hypotheses scored per image; 0 = until all groupings are used
   double time_limit = 0;         ///< wall-clock cut [s]; 0 = none. A result it cuts says truncated.
