@@ -39,6 +39,8 @@ def figures(bench):
         yield Figure(f"calibration error, {name}", calibration_error(pairs), "0..1", target,
                      conditions=f"{len(pairs)} candidates, {sum(right for _, right in pairs)} right")
         hopeful = [pair for pair in pairs if pair[0] >= HOPELESS]
+        if not hopeful:
+            continue
         mean = sum(p for p, _ in hopeful) / len(hopeful)
         yield Figure(f"the same, of probability {HOPELESS} and more", calibration_error(hopeful), "0..1",
                      conditions=f"{len(hopeful)} candidates, {sum(right for _, right in hopeful)} right, {mean:.3f} expected")

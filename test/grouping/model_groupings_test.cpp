@@ -97,6 +97,39 @@ TEST(ModelGroupings, WithoutViewsAllAreKept) {
   EXPECT_EQ(all.front().weight, 0.0);
 }
 
+// Both in one model; hidden by each other they are not.
+ObjectModel with(ObjectModel m, const ObjectModel& other, const Eigen::Vector3d& shift) {
+  const int corners = int(m.corners.size()), edges = int(m.edges.size()), surfaces = int(m.surfaces.size());
+  for (Surface surface : other.surfaces) {
+    surface.point += shift;
+    m.surfaces.push_back(surface);
+  }
+  for (auto corner : other.corners) {
+    corner.p += shift;
+    for (int& edge : corner.edges) edge += edges;
+    m.corners.push_back(corner);
+  }
+  for (ModelEdge edge : other.edges) {
+    edge.p += shift;
+    edge.q += shift;
+    for (int& vertex : edge.vertex) vertex += corners;
+    for (int& surface : edge.surface) surface += surfaces;
+    m.edges.push_back(edge);
+  }
+  return m;
+}
+
+TEST(ModelGroupings, OfVeryManyTheLargeOnesAreKept) {
+  ObjectModel crumbs = box(kBox, false);
+  const int large = int(crumbs.edges.size());
+  for (int i = 1; i <= 30; ++i) crumbs = with(crumbs, box(0.04 * kBox, false), {0.01 * i, 0.2, 0});
+  const std::vector<ModelGrouping> all = modelGroupings(known(crumbs, 100));
+  const auto junctions = ofKind(all, GroupingKind::kJunction);
+  EXPECT_EQ(junctions.size(), 500u) << "of 31 boxes with 24 each";
+  const auto of_the_large_box = [&](const ModelGrouping& m) { return m.edges[0] < large; };
+  EXPECT_EQ(std::count_if(junctions.begin(), junctions.end(), of_the_large_box), 24);
+}
+
 TEST(ModelGroupings, CirclesOfAFlange) {
   ObjectModel m;
   m.diameter = 0.1;

@@ -101,6 +101,34 @@ TEST_F(EveryKind, gives_the_true_pose) {
   for (const auto& [kind, count] : tried) EXPECT_GE(found[kind], 0.95 * count) << name(kind);
 }
 
+TEST_F(EveryKind, a_range_leaves_out_what_is_surely_nearer_and_nothing_else) {
+  std::mt19937 random(9);
+  const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf("bridge"))));
+  const ObjectModel& object = model.model();
+  const DistanceRange far{8 * object.diameter, 100 * object.diameter};
+  const auto farEnough = [&](const Rigid3& pose) { return (pose * object.centre()).norm() >= far.nearest; };
+  int left_out = 0, far_ones = 0;
+  for (const ModelGrouping& known : model.groupings()) {
+    if (known.points.size() < 3) continue;
+    const Seen seen =  // at 4 diameters
+        seenAs(object, known, poseOfView(model, known.seen.front().view, &random), camera_);
+    SearchImage image;
+    image.camera = camera_;
+    for (const ModelGrouping& other : model.groupings())
+      for (const Correspondence& order : correspondences(seen.grouping, other)) {
+        std::vector<Rigid3> all, within;
+        posesOfPair(image, object, {}, {seen.grouping, other, order}, &all);
+        posesOfPair(image, object, far, {seen.grouping, other, order}, &within);
+        EXPECT_EQ(std::count_if(within.begin(), within.end(), farEnough),
+                  std::count_if(all.begin(), all.end(), farEnough));
+        far_ones += int(std::count_if(all.begin(), all.end(), farEnough));
+        left_out += int(all.size() - within.size());
+      }
+  }
+  EXPECT_GT(left_out, 0);
+  EXPECT_GT(far_ones, 0);
+}
+
 TEST_F(EveryKind, a_corner_whose_ends_are_cut_off_but_one_is_enough) {
   std::mt19937 random(8);
   int tried = 0, found = 0;
