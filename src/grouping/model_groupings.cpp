@@ -45,6 +45,7 @@ Visibility visibilityOf(const KnownObject& object) {
   Visibility v;
   const int directions = std::min(object.views.directions, int(object.views.views.size()));
   if (directions == 0) return v;
+
   const std::vector<double> whole = wholeCounts(model, object.views);
   double sum = 0;
   for (int k = 0; k < directions; ++k) {
@@ -57,11 +58,13 @@ Visibility visibilityOf(const KnownObject& object) {
       shows[g] = count[g] > 0 && count[g] >= least * whole[g];
     }
     v.shows.push_back(std::move(shows));
+
     // On the half meridian of an axis a direction stands for a circle of them.
     const auto& axis = model.symmetries.axis;
     v.share.push_back(axis ? view.direction.cross(axis->direction).norm() + 1e-3 : 1.0);
     sum += v.share.back();
   }
+
   for (double& share : v.share) share /= sum;
   return v;
 }
