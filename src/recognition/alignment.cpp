@@ -11,7 +11,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kCoarseRanges[] = {10, 8, 6, 4, 3};  // association range per round [px]
 constexpr int kCoarseSamples = 48;
 constexpr size_t kMinMatches = 8;
 // Model tolerances and lens residuals: no edge is trusted better than this [px].
@@ -117,13 +116,13 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
   return seen;
 }
 
-std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchImage& image,
-                                        ViewedPose start) {
+std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchImage& image, ViewedPose start,
+                                        const std::vector<double>& ranges) {
   auto& [pose, view] = start;
   const Camera& camera = image.camera;
   const FreeAxis axis = freeAxis(model.model());
   std::vector<LineMatch> matches;
-  for (double range : kCoarseRanges) {
+  for (double range : ranges) {
     const std::vector<ViewSample>& samples = model.samples(view);
     const size_t count = std::min<size_t>(samples.size(), kCoarseSamples);
     matches.clear();

@@ -9,6 +9,9 @@
 
 namespace monocular_eye_hand {
 
+/// Ranges within which a coarse alignment seeks edge points, round after round [px]: all hypotheses first by
+/// the wide ones, then the best of them by the narrow ones.
+inline const std::vector<double> kWideRanges{10, 8}, kNarrowRanges{6, 4, 3};
 /// Ranges within which the fine alignment of a hypothesis seeks edge points, round after round [px].
 inline const std::vector<double> kFineRanges{6.0, 4.0, 2.5, 1.5};
 /// Distance between the contour samples of a fine alignment [px].
@@ -24,9 +27,11 @@ struct ViewedPose {
   int view = 0;
 };
 
-/// Moves a hypothesis onto the edges with the precomputed contour of its nearest view: cheap, wide basin. The
-/// view follows the pose. Nothing when the pose escapes or too little of it is answered.
-std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchImage& image, ViewedPose start);
+/// Moves a hypothesis onto the edges within `ranges` [px] with the precomputed contour of its nearest view:
+/// cheap, wide basin. The view follows the pose. Nothing when the pose escapes or too little of it is
+/// answered.
+std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchImage& image, ViewedPose start,
+                                        const std::vector<double>& ranges);
 
 /// Refines on the exact visible contour, hidden lines removed, re-associated with shrinking range [px];
 /// `step`: distance between contour samples [px].

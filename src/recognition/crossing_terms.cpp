@@ -26,7 +26,7 @@ void crossingTerms(const SearchImage& image, Candidate* candidate) {
     const Eigen::Vector2d inward = s.inward * s.normal();
     for (double along : {-1.0, 1.0}) {
       const Eigen::Vector2d uv = s.uv + kInside * inward + along * s.direction;
-      const int index = image.raster.indexAt(uv.x(), uv.y());
+      const int index = image.raster.indexAt(int(std::lround(uv.x())), int(std::lround(uv.y())));
       if (index < 0) continue;
       const EdgePoint& p = points[size_t(index)];
       const Eigen::Vector2d normal = p.normal.cast<double>();

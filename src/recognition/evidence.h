@@ -6,24 +6,9 @@
 
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/geometry/vector_clones.h"
+#include "recognition/rect_domain.h"
 
 namespace monocular_eye_hand {
-
-/// The part of the rectified image plane that is looked at: pixel (u, v) lies at (u - u0, v - v0) of the
-/// maps. With a distorting lens it is larger than the image, and `valid` marks what the image covers.
-struct RectDomain {
-  int u0 = 0, v0 = 0, width = 0, height = 0;
-  cv::Mat valid;  ///< CV_8UC1, 255 where the image covers the pixel; empty: everywhere
-
-  bool contains(double u, double v) const {
-    const int x = int(std::lround(u)) - u0, y = int(std::lround(v)) - v0;
-    return x >= 0 && y >= 0 && x < width && y < height && (valid.empty() || valid.at<uint8_t>(y, x) != 0);
-  }
-};
-RectDomain rectDomain(const Camera& camera);
-
-/// The grey image on the domain: the image itself without distortion, resampled (bilinear) with it.
-cv::Mat rectifiedGrey(const cv::Mat& grey, const Camera& camera, const RectDomain& domain);
 
 /// Number of orientation bins over [0, pi). An edge point counts for the two bins nearest its direction.
 constexpr int kOrientationBins = 12;
@@ -54,6 +39,8 @@ constexpr int8_t kOutside = -128;
 /// near each other ask for is near in memory, too.
 class EvidencePlanes {
  public:
+  static constexpr int kTile = 8;  ///< side of a tile, which fills a line of the cache [px]
+
   EvidencePlanes() = default;  ///< of no image: kOutside everywhere
   EvidencePlanes(int width, int height);
 
@@ -71,7 +58,14 @@ class EvidencePlanes {
     return inside ? place : -1;
   }
   int8_t value(int index) const { return values_[size_t(index)]; }
-  int8_t& value(int index) { return values_[size_t(index)]; }
+  /// Of the pixel (x, y) and those to its right in its tile, one after the other; x: a multiple of kTile.
+  /// What of a tile lies beyond the image is kOutside.
+  int8_t* run(int bin, int x, int y) {
+    return &values_[size_t(placeOf(unsigned(bin), unsigned(x), unsigned(y)))];
+  }
+  const int8_t* run(int bin, int x, int y) const {
+    return &values_[size_t(placeOf(unsigned(bin), unsigned(x), unsigned(y)))];
+  }
   /// The evidence of a pixel; kOutside beyond the image.
   int8_t at(int bin, int x, int y) const {
     const int place = index(bin, x, y);
@@ -79,12 +73,11 @@ class EvidencePlanes {
   }
 
  private:
-  static constexpr unsigned kTile = 8;  // side of a tile, which fills a line of the cache [px]
-
   // Of a pixel in the plane.
   MONOCULAR_EYE_HAND_INLINE int placeOf(unsigned bin, unsigned x, unsigned y) const {
-    const unsigned tile = (bin * tiles_y_ + y / kTile) * tiles_x_ + x / kTile;
-    return int((tile * kTile + y % kTile) * kTile + x % kTile);
+    constexpr unsigned kSide = kTile;
+    const unsigned tile = (bin * tiles_y_ + y / kSide) * tiles_x_ + x / kSide;
+    return int((tile * kSide + y % kSide) * kSide + x % kSide);
   }
 
   int width_ = 0, height_ = 0;
@@ -110,30 +103,6 @@ class EvidenceMap {
  private:
   int u0_ = 0, v0_ = 0;
   EvidencePlanes full_, half_;
-};
-
-/// Finds the edge point that a predicted contour sample most likely produced.
-class EdgeRaster {
- public:
-  EdgeRaster() = default;  ///< of no image: finds nothing
-  /// The features may be moved while it is in use, but neither changed nor destroyed.
-  EdgeRaster(const FeatureSet& features, const RectDomain& domain);
-
-  /// Walks from `uv` along +/- `normal` (unit) up to `range` px; of the edge points whose direction agrees
-  /// within about 25 degrees the one with the best mix of strength and nearness, or -1.
-  int find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, double range) const;
-  const EdgePoint& point(int index) const { return points_[index]; }
-  /// Index of an edge point in this pixel (map of one entry per pixel, thickened so that walks cannot slip
-  /// through), or -1.
-  int indexAt(double u, double v) const;
-
-  EdgeRaster(EdgeRaster&&) = default;
-  EdgeRaster& operator=(EdgeRaster&&) = default;
-
- private:
-  const EdgePoint* points_ = nullptr;
-  int u0_ = 0, v0_ = 0, width_ = 0, height_ = 0;
-  std::vector<int32_t> index_;
 };
 
 }  // namespace monocular_eye_hand

@@ -21,40 +21,54 @@ struct FacePixel {
   float u, v, grey;
 };
 
-// Share of pixels that depart from a plane (flat face) or quadric (curved face) of grey by more than noise
-// and a small share of contrast allow. Three rounds of trimmed least squares.
-int countOffShading(const std::vector<FacePixel>& pixels, bool curved) {
-  const int unknowns = curved ? 6 : 3, n = int(pixels.size());
-  if (n < std::max(kMinFacePixels, 2 * unknowns)) return 0;
-  double mu = 0, mv = 0;
-  for (const FacePixel& p : pixels) mu += p.u, mv += p.v;
-  mu /= n;
-  mv /= n;
-  Eigen::MatrixXd a(n, unknowns);
-  Eigen::VectorXd g(n);
-  for (int i = 0; i < n; ++i) {
-    const double x = (pixels[i].u - mu) / 32, y = (pixels[i].v - mv) / 32;
-    a(i, 0) = 1, a(i, 1) = x, a(i, 2) = y;
-    if (curved) a(i, 3) = x * x, a(i, 4) = x * y, a(i, 5) = y * y;
-    g[i] = pixels[i].grey;
-  }
-  Eigen::VectorXd weight = Eigen::VectorXd::Ones(n), residual(n);
+// Powers of a pixel's place: of a plane of grey (3) or of a quadric (6).
+template <int kPowers>
+Eigen::Matrix<double, kPowers, 1> powersOf(double x, double y) {
+  Eigen::Matrix<double, kPowers, 1> powers;
+  if constexpr (kPowers == 3) powers << 1, x, y;
+  if constexpr (kPowers == 6) powers << 1, x, y, x * x, x * y, y * y;
+  return powers;
+}
+
+// How many pixels depart from a polynomial of grey by more than noise and a small share of contrast allow.
+// Four rounds of trimmed least squares.
+template <int kPowers>
+int countOffPolynomial(const std::vector<FacePixel>& pixels) {
+  using Powers = Eigen::Matrix<double, kPowers, 1>;
+  const size_t n = pixels.size();
+  if (n < size_t(std::max(kMinFacePixels, 2 * kPowers))) return 0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const FacePixel& p : pixels) mean += Eigen::Vector2d(p.u, p.v);
+  mean /= double(n);
+  std::vector<Powers> powers;
+  powers.reserve(n);
+  for (const FacePixel& p : pixels)
+    powers.push_back(powersOf<kPowers>((p.u - mean.x()) / 32, (p.v - mean.y()) / 32));
+
+  std::vector<double> weight(n, 1.0), residual(n), sizes;
   double tolerance = 0;
   for (int round = 0; round < 4; ++round) {
-    const Eigen::MatrixXd wa = weight.asDiagonal() * a;
-    Eigen::MatrixXd normal = a.transpose() * wa;
+    Eigen::Matrix<double, kPowers, kPowers> normal = Eigen::Matrix<double, kPowers, kPowers>::Zero();
+    Powers right = Powers::Zero();
+    for (size_t i = 0; i < n; ++i) {
+      const Powers weighted = weight[i] * powers[i];
+      normal.noalias() += weighted * powers[i].transpose();
+      right += double(pixels[i].grey) * weighted;
+    }
     normal.diagonal().array() += 1e-6;
-    const Eigen::VectorXd x = normal.ldlt().solve(wa.transpose() * g);
-    residual = (g - a * x).cwiseAbs();
-    std::vector<double> sizes(residual.data(), residual.data() + n);
-    tolerance = std::max(4.0, 3.5 * 1.4826 * median(&sizes));
-    tolerance =
-        std::min(tolerance, 14.0);  // a face half covered by something else must not set its own scale
-    for (int i = 0; i < n; ++i) weight[i] = residual[i] < tolerance ? 1.0 : 0.02;
+    const Powers grey = normal.ldlt().solve(right);
+    for (size_t i = 0; i < n; ++i) residual[i] = std::abs(pixels[i].grey - powers[i].dot(grey));
+
+    // A face half covered by something else must not set its own scale.
+    sizes = residual;
+    tolerance = std::clamp(3.5 * 1.4826 * median(&sizes), 4.0, 14.0);
+    for (size_t i = 0; i < n; ++i) weight[i] = residual[i] < tolerance ? 1.0 : 0.02;
   }
-  int off = 0;
-  for (int i = 0; i < n; ++i) off += residual[i] > tolerance;
-  return off;
+  return int(std::count_if(residual.begin(), residual.end(), [&](double r) { return r > tolerance; }));
+}
+
+int countOffShading(const std::vector<FacePixel>& pixels, bool curved) {
+  return curved ? countOffPolynomial<6>(pixels) : countOffPolynomial<3>(pixels);
 }
 
 // The drawn area on the lattice of looked-at pixels.
@@ -94,13 +108,15 @@ int countLeaving(const SearchImage& image, const std::map<int, int>& pixels_of_t
 
 // Pixels near a drawn line, within the box.
 cv::Mat contourBand(const Candidate& candidate, const cv::Rect& box) {
-  cv::Mat band = cv::Mat::zeros(box.size(), CV_8U);
   const int radius = int(kContourBand);
+  cv::Mat lines = cv::Mat::zeros(box.height + 2 * radius, box.width + 2 * radius, CV_8U), band;
   for (const SeenSample& s : candidate.contour) {
-    const int x = int(std::lround(s.uv.x())) - box.x, y = int(std::lround(s.uv.y())) - box.y;
-    cv::rectangle(band, cv::Rect(x - radius, y - radius, 2 * radius + 1, 2 * radius + 1), 255, cv::FILLED);
+    const int x = int(std::lround(s.uv.x())) - box.x + radius;
+    const int y = int(std::lround(s.uv.y())) - box.y + radius;
+    if (unsigned(x) < unsigned(lines.cols) && unsigned(y) < unsigned(lines.rows)) lines.at<uint8_t>(y, x) = 1;
   }
-  return band;
+  cv::dilate(lines, band, cv::getStructuringElement(cv::MORPH_RECT, {2 * radius + 1, 2 * radius + 1}));
+  return band(cv::Rect(radius, radius, box.width, box.height));
 }
 
 DrawnArea drawnArea(const std::vector<DrawnPixel>& pixels, const cv::Rect& box, int step) {
@@ -123,6 +139,7 @@ double solidityOf(const std::vector<DrawnPixel>& pixels, int step) {
 std::vector<int> coveredCells(const std::vector<DrawnPixel>& pixels, const RectDomain& domain) {
   const int cells_x = (domain.width + kCoverCell - 1) / kCoverCell;
   std::vector<int> cells;
+  cells.reserve(pixels.size());
   for (const DrawnPixel& p : pixels)
     cells.push_back(((p.v - domain.v0) / kCoverCell) * cells_x + (p.u - domain.u0) / kCoverCell);
   std::sort(cells.begin(), cells.end());

@@ -19,6 +19,7 @@ constexpr double kSamePose = 4.0;                     // poses this near in the 
 constexpr double kSameStart = 2.0;                    // a start this near to a candidate leads there [px]
 constexpr double kSameEnd = 1.5;                      // an aligned pose this near to a candidate is it [px]
 const std::vector<double> kProposalRanges{2.5, 1.5};  // a proposed pose is taken to be near its edges [px]
+constexpr double kCarriedOn = 0.3;    // of the hypotheses that lie near edges, so many are aligned to the end
 constexpr double kMinEvidence = 6.0;  // of an aligned pose, else it is not looked at further [nats]
 
 struct AlignedHypothesis {
@@ -28,9 +29,9 @@ struct AlignedHypothesis {
 
 // Moved onto the edges; nothing when it cannot be, or little speaks for it there.
 std::optional<AlignedHypothesis> alignedHypothesis(const SearchTask& task, const SearchModel& model,
-                                                   Hypothesis h) {
+                                                   Hypothesis h, const std::vector<double>& ranges) {
   const SearchImage& image = task.image;
-  const std::optional<ViewedPose> moved = alignCoarsely(model, image, {h.camera_from_object, h.view});
+  const std::optional<ViewedPose> moved = alignCoarsely(model, image, {h.camera_from_object, h.view}, ranges);
   if (!moved) return std::nullopt;
 
   const auto& [pose, view] = *moved;
@@ -43,12 +44,13 @@ std::optional<AlignedHypothesis> alignedHypothesis(const SearchTask& task, const
 }
 
 // The most telling first.
-std::vector<AlignedHypothesis> alignHypotheses(const SearchTask& task, const SearchModel& model,
-                                               const std::vector<Hypothesis>& hypotheses,
-                                               WorkBudget* budget) {
+std::vector<AlignedHypothesis> alignedWithin(const std::vector<double>& ranges, const SearchTask& task,
+                                             const SearchModel& model,
+                                             const std::vector<Hypothesis>& hypotheses, WorkBudget* budget) {
   std::vector<std::optional<AlignedHypothesis>> moved(hypotheses.size());
   atOnce(int(hypotheses.size()), budget, [&](int i, WorkBudget* part) {
-    if (!part->outOfTime()) moved[size_t(i)] = alignedHypothesis(task, model, hypotheses[size_t(i)]);
+    if (part->outOfTime()) return;
+    moved[size_t(i)] = alignedHypothesis(task, model, hypotheses[size_t(i)], ranges);
   });
 
   std::vector<AlignedHypothesis> aligned;
@@ -58,6 +60,18 @@ std::vector<AlignedHypothesis> alignHypotheses(const SearchTask& task, const Sea
     return a.hypothesis.evidence > b.hypothesis.evidence;
   });
   return aligned;
+}
+
+// What two rounds have moved tells which of them are worth the others.
+std::vector<AlignedHypothesis> alignHypotheses(const SearchTask& task, const SearchModel& model,
+                                               const std::vector<Hypothesis>& hypotheses,
+                                               WorkBudget* budget) {
+  const std::vector<AlignedHypothesis> moved = alignedWithin(kWideRanges, task, model, hypotheses, budget);
+  const size_t most =
+      std::max(size_t(task.options.verified_per_object), size_t(kCarriedOn * double(moved.size())));
+  std::vector<Hypothesis> carried_on;
+  for (size_t i = 0; i < std::min(most, moved.size()); ++i) carried_on.push_back(moved[i].hypothesis);
+  return alignedWithin(kNarrowRanges, task, model, carried_on, budget);
 }
 
 // The first of those that came to the same pose.

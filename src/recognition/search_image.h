@@ -7,6 +7,7 @@
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/pose/circle_pose.h"
 #include "monocular_eye_hand/recognition/options.h"
+#include "recognition/edge_raster.h"
 #include "recognition/evidence.h"
 #include "recognition/stage_log.h"
 

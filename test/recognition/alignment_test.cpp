@@ -52,7 +52,8 @@ TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent)
     ViewedPose start;
     start.camera_from_object =
         model_.canonical(perturbedTruth(0.07 * amount, 4 * amount, 0.04 * amount, &random), &start.view);
-    const std::optional<ViewedPose> moved = alignCoarsely(model_, image_, start);
+    std::optional<ViewedPose> moved = alignCoarsely(model_, image_, start, kWideRanges);
+    if (moved) moved = alignCoarsely(model_, image_, *moved, kNarrowRanges);
     if (!moved) continue;
     coarse += imageError(moved->camera_from_object) < 5;
     const RefinedPose refined =
@@ -87,7 +88,7 @@ TEST_P(Alignment, where_there_is_no_edge_it_fails_and_says_so) {
   ASSERT_TRUE(empty.features.points.empty());
   ViewedPose start;
   start.camera_from_object = model_.canonical(truth_, &start.view);
-  EXPECT_FALSE(alignCoarsely(model_, empty, start));
+  EXPECT_FALSE(alignCoarsely(model_, empty, start, kWideRanges));
   const RefinedPose refined = alignFinely(model_, empty, truth_, kFineRanges, kFineStep);
   EXPECT_FALSE(refined.well_posed);
   EXPECT_LT(difference(refined.camera_from_object, truth_).norm(), 1e-12) << "the start comes back";

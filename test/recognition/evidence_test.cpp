@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdlib>
+
+#include "recognition/edge_raster.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -257,6 +260,17 @@ TEST_F(EdgeRasterTest, prefers_the_nearer_of_equals_and_the_much_stronger) {
   EXPECT_GE(find({83, 60}, 0, 6), 80);
   for (int i = 80; i < 160; ++i) features_.points[i].gradient = 200;
   EXPECT_GE(find({81, 60}, 0, 6), 80) << "ten times as strong, one pixel farther";
+}
+
+TEST_F(EdgeRasterTest, every_step_of_a_walk_is_looked_at) {
+  for (int off = -13; off <= 13; ++off) {
+    features_ = {};
+    addEdge(&features_, {80.0f + float(off), 40}, M_PI / 2, 41);
+    EXPECT_GE(find({80, 60}, 0, 13), 0) << off << " px off";
+    if (std::abs(off) > 2) {
+      EXPECT_EQ(find({80, 60}, 0, std::abs(off) - 2), -1) << off << " px off";
+    }
+  }
 }
 
 TEST_F(EdgeRasterTest, outside_the_image_there_is_nothing) {
