@@ -15,6 +15,7 @@
 #include "recognition/first_look.h"
 #include "recognition/full_size.h"
 #include "recognition/judging.h"
+#include "recognition/nearby_poses.h"
 #include "recognition/object_search.h"
 #include "recognition/occlusion.h"
 #include "recognition/reporting.h"
@@ -157,7 +158,9 @@ RecognitionResult Recognizer::Impl::recognize(const cv::Mat& grey, const Camera&
   }
   const SearchTask task{full ? full->image : image, models, wanted, options, nullptr, known_support};
 
-  // What is easily taken for one another, and what hides behind another.
+  // What may lie a little better, what is easily taken for one another, and what hides behind another.
+  candidates = tryNearbyPoses(task, std::move(candidates), &log);
+  outcome.chosen = chooseExplanations(candidates);
   candidates = addTwins(task, std::move(candidates), outcome.chosen, &log);
   outcome.chosen = chooseExplanations(candidates);
   candidates = excuseHidden(task, std::move(candidates), outcome.chosen, &log);

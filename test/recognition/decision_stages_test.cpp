@@ -1,8 +1,10 @@
-// What stands between the search and the verdict: proposals, twins, hidden parts, the full size of an image.
+// What stands between the search and the verdict: proposals, nearby poses, twins, hidden parts, the full size
+// of an image.
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "recognition/judging.h"
+#include "recognition/nearby_poses.h"
 #include "recognition/occlusion.h"
 #include "recognition/twins.h"
 #include "verified.h"
@@ -98,6 +100,38 @@ TEST(Twins, of_a_pose_that_is_wrong_by_a_half_turn_the_right_one_is_found) {
 
   wrong.probability = 0.01;
   EXPECT_EQ(addTwins(task, {wrong}, {Explanation{0, {}}}, &log).size(), 1u) << "not worth it";
+}
+
+TEST(NearbyPoses, a_doubtful_candidate_that_is_tilted_gives_way_to_the_right_pose) {
+  const Picture picture = shippedPicture("golden/bracket");
+  const ObjectModel& bracket = shippedModel("bracket");
+  const Rigid3 truth = picture.truth.at(0).camera_from_object;
+  const Eigen::AngleAxisd tilt(0.15, Eigen::Vector3d(0.6, 0.8, 0));
+  const Rigid3 tilted = truth * turnAbout(bracket.centre(), tilt.toRotationMatrix());
+
+  const RecognitionOptions options;
+  const SearchImage image = looked(picture.grey, picture.camera);
+  std::vector<SearchModel> models;
+  for (const KnownObject& object : shippedModels().objects) models.emplace_back(object);
+  const std::vector<int> wanted{indexOf("bracket")};
+  const SearchTask task{image, models, wanted, options};
+  Candidate doubt;
+  doubt.object = indexOf("bracket");
+  doubt.pose.camera_from_object = tilted;
+  doubt.kind = GroupingKind::kQuad;
+  doubt.probability = 0.3;
+  StageLog log;
+  const std::vector<Candidate> found = tryNearbyPoses(task, {doubt}, &log);
+  ASSERT_EQ(found.size(), 1u) << "it gives way, nothing is added";
+  EXPECT_LT(poseError(bracket, picture.camera, found[0].pose.camera_from_object, truth).image, 2);
+  EXPECT_GT(found[0].probability, 0.5);
+  EXPECT_EQ(found[0].kind, GroupingKind::kQuad) << "what it came from stays known";
+
+  for (double probability : {0.01, 0.99}) {
+    doubt.probability = probability;
+    EXPECT_EQ(tryNearbyPoses(task, {doubt}, &log)[0].pose.camera_from_object.rotation, tilted.rotation)
+        << probability << " is no doubt";
+  }
 }
 
 // A bracket behind a box that hides a part of it.

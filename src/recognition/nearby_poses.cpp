@@ -1,0 +1,80 @@
+#include "recognition/nearby_poses.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "recognition/alignment.h"
+#include "recognition/judging.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kHopeless = 0.02, kSure = 0.95;  // probabilities between which a candidate is doubtful
+constexpr size_t kMostTried = 10;                 // doubtful candidates of an image
+constexpr size_t kSides = 8;
+constexpr double kTilt = 8 * M_PI / 180;
+constexpr double kGain = 0.15;  // of probability, for which a candidate gives way
+
+// Indices of the doubtful candidates, the likeliest first.
+std::vector<size_t> doubtful(const std::vector<Candidate>& candidates) {
+  std::vector<size_t> order;
+  for (size_t i = 0; i < candidates.size(); ++i)
+    if (candidates[i].probability >= kHopeless && candidates[i].probability <= kSure) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return candidates[a].probability > candidates[b].probability; });
+  if (order.size() > kMostTried) order.resize(kMostTried);
+  return order;
+}
+
+// The pose tilted about the part's centre to one of kSides sides.
+Rigid3 tilted(const Rigid3& pose, const Eigen::Vector3d& centre_in_object, size_t side) {
+  const Eigen::Vector3d centre = pose * centre_in_object;
+  const Eigen::Vector3d view = centre.normalized(), x = view.unitOrthogonal(), y = view.cross(x);
+  const double angle = 2 * M_PI * double(side) / double(kSides);
+  const Eigen::Vector3d axis = std::cos(angle) * x + std::sin(angle) * y;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(kTilt, axis).toRotationMatrix();
+  return {turn * pose.rotation, centre + turn * (pose.translation - centre)};
+}
+
+}  // namespace
+
+std::vector<Candidate> tryNearbyPoses(const SearchTask& task, std::vector<Candidate> candidates,
+                                      StageLog* log) {
+  return log->timed("nearby poses", [&](StageReport* report) {
+    const std::vector<size_t> tried = doubtful(candidates);
+    std::vector<Start> starts;
+    for (size_t i : tried) {
+      const Candidate& candidate = candidates[i];
+      const Eigen::Vector3d centre = task.models[size_t(candidate.object)].model().centre();
+      for (size_t side = 0; side < kSides; ++side)
+        starts.push_back(
+            {candidate.object, tilted(candidate.pose.camera_from_object, centre, side), candidate.kind});
+    }
+
+    WorkBudget no_limit;
+    std::vector<Judged> judged = judgeStarts(task, starts, kFineRanges, candidates, 0, &no_limit);
+    int better = 0;
+    for (size_t k = 0; k < tried.size(); ++k) {
+      Candidate& own = candidates[tried[k]];
+      Candidate* best = nullptr;
+      double least = own.probability + kGain;
+      for (size_t j = kSides * k; j < kSides * (k + 1); ++j) {
+        std::optional<Candidate>& other = judged[j].candidate;
+        if (!other || other->probability <= least) continue;
+        least = other->probability;
+        best = &*other;
+      }
+      if (!best) continue;
+      own = std::move(*best);
+      ++better;
+    }
+
+    report->counts = {{"doubtful", double(tried.size())}, {"better", double(better)}};
+    return std::move(candidates);
+  });
+}
+
+}  // namespace monocular_eye_hand
