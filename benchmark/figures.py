@@ -62,6 +62,11 @@ def corpus_folders(kind):
     return folders
 
 
+def is_right(row):
+    """Whether a row of a dump is a right pose: its image distance (MSPD) from the truth is below 10 px."""
+    return bool(row["mspd_px"]) and float(row["mspd_px"]) < 10
+
+
 def share(part, whole):
     return 100.0 * part / max(whole, 1)
 

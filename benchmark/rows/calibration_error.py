@@ -3,12 +3,11 @@
 Nearly all judged candidates are far from right and told so: the figure over those that are not hopeless is the harder one."""
 import csv
 
-from figures import Figure
+from figures import Figure, is_right
 
 RENDERED = (("workcell", "dev"), ("industrial", "dev"))
 REAL = (("real/cabinet", "test"), ("real/cube", "test"), ("real_parts/steel_block", "test"),
         ("real_parts/steel_keys", "test"), ("real_parts/teabox", "test"))
-RIGHT_PX = 10  # image distance (MSPD) below which a pose is right
 BINS = 10
 HOPELESS = 0.01
 
@@ -19,8 +18,7 @@ def candidates(bench, sets):
     for dataset, split in sets:
         with open(bench.dump(dataset, split), newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):
-                error = float(row["mspd_px"]) if row["mspd_px"] else float("inf")
-                pairs.append((float(row["probability"]), error < RIGHT_PX))
+                pairs.append((float(row["probability"]), is_right(row)))
     return sorted(pairs)
 
 

@@ -2,24 +2,23 @@
 import csv
 import json
 
-from figures import Figure
+from figures import Figure, is_right, share
 
-RIGHT_PX = 10        # image distance (MSPD) below which a pose is right
 LEAST_VISIBLE = 0.5  # of a part, for it to count
-SCENES = {1: ("easy", ">= 99"), 2: ("medium", ">= 96"), 3: ("hard", ">= 93")}
+LEVELS = {1: "easy", 2: "medium", 3: "hard"}
+TARGETS = {("workcell", 1): ">= 99", ("workcell", 2): ">= 96", ("workcell", 3): ">= 93"}
 
 
 def figures(bench):
-    for dataset, targets in (("workcell", SCENES), ("industrial", {})):
+    for dataset in ("workcell", "industrial"):
         parts = seen_parts(bench.data(dataset) / "dev")
         with open(bench.dump(dataset, "dev"), newline="", encoding="utf-8") as file:
-            right = {key(row) for row in csv.DictReader(file) if row["mspd_px"] and float(row["mspd_px"]) < RIGHT_PX}
+            right = {key(row) for row in csv.DictReader(file) if is_right(row)}
         for number in sorted({scene for scene, _, _ in parts}):
-            name, target = targets.get(number, SCENES.get(number, ("", None))[:1] + (None,))
             all_parts = {part for part in parts if part[0] == number}
             found = len(all_parts & right)
-            yield Figure(f"recall among the judged, {dataset}, scene {number} {name}".strip(),
-                         100 * found / max(len(all_parts), 1), "%", target,
+            yield Figure(f"recall among the judged, {dataset}, scene {number} {LEVELS.get(number, '')}".strip(),
+                         share(found, len(all_parts)), "%", TARGETS.get((dataset, number)),
                          conditions=f"{found} of {len(all_parts)} parts seen by half and more")
 
 

@@ -73,7 +73,9 @@ int EdgeRaster::find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, d
     if (along < 0.906f) return;
     const float d = ((p.uv.x() - u) * nx + (p.uv.y() - v) * ny) * inverse_range;
     const float score = p.gradient * along * (1.05f - d * d);
-    if (score > best_score) best_score = score, best = index;
+    if (score <= best_score) return;
+    best_score = score;
+    best = index;
   };
 
   // All places of a stretch first, then what lies there: the memory answers many at a time.

@@ -99,7 +99,7 @@ class Blocks {
 
     Histogram& histogram = counts_[index(block_x, block_y)];
     for (size_t c = 0; c < size_t(kClasses); ++c)
-      histogram[c] = float(counters >> (kBits * c) & ((1U << kBits) - 1));
+      histogram[c] = float((counters >> (kBits * c)) & ((1U << kBits) - 1));
   }
 
   // Shares of the classes in the whole image.

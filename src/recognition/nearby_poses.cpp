@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "monocular_eye_hand/model/equal_poses.h"
 #include "recognition/alignment.h"
 #include "recognition/judging.h"
 
@@ -36,7 +37,18 @@ Rigid3 tilted(const Rigid3& pose, const Eigen::Vector3d& centre_in_object, size_
   const double angle = 2 * M_PI * double(side) / double(kSides);
   const Eigen::Vector3d axis = std::cos(angle) * x + std::sin(angle) * y;
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(kTilt, axis).toRotationMatrix();
-  return {turn * pose.rotation, centre + turn * (pose.translation - centre)};
+  return turnAbout(centre, turn) * pose;
+}
+
+// The most probable of so many, if it is more probable than that.
+std::optional<Candidate> bestAbove(double probability, const Judged* first, size_t count) {
+  const Candidate* best = nullptr;
+  for (const Judged* judged = first; judged != first + count; ++judged) {
+    if (!judged->candidate || judged->candidate->probability <= probability) continue;
+    probability = judged->candidate->probability;
+    best = &*judged->candidate;
+  }
+  return best ? std::optional<Candidate>(*best) : std::nullopt;
 }
 
 }  // namespace
@@ -55,18 +67,11 @@ std::vector<Candidate> tryNearbyPoses(const SearchTask& task, std::vector<Candid
     }
 
     WorkBudget no_limit;
-    std::vector<Judged> judged = judgeStarts(task, starts, kFineRanges, candidates, 0, &no_limit);
+    const std::vector<Judged> judged = judgeStarts(task, starts, kFineRanges, candidates, 0, &no_limit);
     int better = 0;
     for (size_t k = 0; k < tried.size(); ++k) {
       Candidate& own = candidates[tried[k]];
-      Candidate* best = nullptr;
-      double least = own.probability + kGain;
-      for (size_t j = kSides * k; j < kSides * (k + 1); ++j) {
-        std::optional<Candidate>& other = judged[j].candidate;
-        if (!other || other->probability <= least) continue;
-        least = other->probability;
-        best = &*other;
-      }
+      std::optional<Candidate> best = bestAbove(own.probability + kGain, &judged[kSides * k], kSides);
       if (!best) continue;
       own = std::move(*best);
       ++better;

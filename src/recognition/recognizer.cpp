@@ -152,10 +152,7 @@ RecognitionResult Recognizer::Impl::recognize(const cv::Mat& grey, const Camera&
 
   // What follows sees the image at the size that resolves the contours best.
   std::optional<FullSize> full = judgeInFull(searching, base, candidates, outcome.chosen, grey, camera, &log);
-  if (full) {
-    candidates = std::move(full->candidates);
-    outcome.chosen = chooseExplanations(candidates);
-  }
+  if (full) candidates = std::move(full->candidates);
   const SearchTask task{full ? full->image : image, models, wanted, options, nullptr, known_support};
 
   // What may lie a little better, what is easily taken for one another, and what hides behind another.

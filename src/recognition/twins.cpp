@@ -35,7 +35,7 @@ std::optional<Rigid3> tiltedBack(const ObjectModel& model, const Rigid3& pose) {
   const double tilt = std::asin(std::min(1.0, sine));
   const double side = normal.dot(view) > 0 ? 1 : -1;
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(2 * side * tilt, axis / sine).toRotationMatrix();
-  return Rigid3{turn * pose.rotation, centre + turn * (pose.translation - centre)};
+  return turnAbout(centre, turn) * pose;
 }
 
 std::vector<Rigid3> twinPoses(const SearchModel& model, const Rigid3& pose) {

@@ -20,6 +20,20 @@ RecognitionRequest proposing(const std::string& name, const Rigid3& pose) {
   return request;
 }
 
+// The search of a picture for one of the shipped models.
+struct SearchOf {
+  SearchOf(const std::string& name, const Picture& picture)
+      : image(looked(picture.grey, picture.camera)), wanted{indexOf(name)} {
+    for (const KnownObject& object : shippedModels().objects) models.emplace_back(object);
+  }
+
+  const RecognitionOptions options;
+  const SearchImage image;
+  std::vector<SearchModel> models;
+  const std::vector<int> wanted;
+  const SearchTask task{image, models, wanted, options};
+};
+
 TEST(Proposals, are_judged_instead_of_searching) {
   const Picture picture = shippedPicture("golden/bracket");
   const Rigid3 truth = picture.truth.at(0).camera_from_object;
@@ -80,18 +94,13 @@ TEST(Twins, of_a_pose_that_is_wrong_by_a_half_turn_the_right_one_is_found) {
       truth *
       turnAbout(bracket.centre(), Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
 
-  const RecognitionOptions options;
-  const SearchImage image = looked(picture.grey, picture.camera);
-  std::vector<SearchModel> models;
-  for (const KnownObject& object : shippedModels().objects) models.emplace_back(object);
-  const std::vector<int> wanted{indexOf("bracket")};
-  const SearchTask task{image, models, wanted, options};
+  const SearchOf search("bracket", picture);
   Candidate wrong;
   wrong.object = indexOf("bracket");
   wrong.pose.camera_from_object = turned;
   wrong.probability = 0.6;
   StageLog log;
-  const std::vector<Candidate> all = addTwins(task, {wrong}, {Explanation{0, {}}}, &log);
+  const std::vector<Candidate> all = addTwins(search.task, {wrong}, {Explanation{0, {}}}, &log);
   ASSERT_GE(all.size(), 2u);
   const bool found = std::any_of(all.begin() + 1, all.end(), [&](const Candidate& c) {
     return poseError(bracket, picture.camera, c.pose.camera_from_object, truth).image < 3;
@@ -99,7 +108,7 @@ TEST(Twins, of_a_pose_that_is_wrong_by_a_half_turn_the_right_one_is_found) {
   EXPECT_TRUE(found);
 
   wrong.probability = 0.01;
-  EXPECT_EQ(addTwins(task, {wrong}, {Explanation{0, {}}}, &log).size(), 1u) << "not worth it";
+  EXPECT_EQ(addTwins(search.task, {wrong}, {Explanation{0, {}}}, &log).size(), 1u) << "not worth it";
 }
 
 TEST(NearbyPoses, a_doubtful_candidate_that_is_tilted_gives_way_to_the_right_pose) {
@@ -109,19 +118,14 @@ TEST(NearbyPoses, a_doubtful_candidate_that_is_tilted_gives_way_to_the_right_pos
   const Eigen::AngleAxisd tilt(0.15, Eigen::Vector3d(0.6, 0.8, 0));
   const Rigid3 tilted = truth * turnAbout(bracket.centre(), tilt.toRotationMatrix());
 
-  const RecognitionOptions options;
-  const SearchImage image = looked(picture.grey, picture.camera);
-  std::vector<SearchModel> models;
-  for (const KnownObject& object : shippedModels().objects) models.emplace_back(object);
-  const std::vector<int> wanted{indexOf("bracket")};
-  const SearchTask task{image, models, wanted, options};
+  const SearchOf search("bracket", picture);
   Candidate doubt;
   doubt.object = indexOf("bracket");
   doubt.pose.camera_from_object = tilted;
   doubt.kind = GroupingKind::kQuad;
   doubt.probability = 0.3;
   StageLog log;
-  const std::vector<Candidate> found = tryNearbyPoses(task, {doubt}, &log);
+  const std::vector<Candidate> found = tryNearbyPoses(search.task, {doubt}, &log);
   ASSERT_EQ(found.size(), 1u) << "it gives way, nothing is added";
   EXPECT_LT(poseError(bracket, picture.camera, found[0].pose.camera_from_object, truth).image, 2);
   EXPECT_GT(found[0].probability, 0.5);
@@ -129,7 +133,7 @@ TEST(NearbyPoses, a_doubtful_candidate_that_is_tilted_gives_way_to_the_right_pos
 
   for (double probability : {0.01, 0.99}) {
     doubt.probability = probability;
-    EXPECT_EQ(tryNearbyPoses(task, {doubt}, &log)[0].pose.camera_from_object.rotation, tilted.rotation)
+    EXPECT_EQ(tryNearbyPoses(search.task, {doubt}, &log)[0].pose.camera_from_object.rotation, tilted.rotation)
         << probability << " is no doubt";
   }
 }
