@@ -132,9 +132,9 @@ class Bench:
         return self._evaluate(self.data(dataset), split, self._name(dataset, split, *options), options)
 
     @functools.lru_cache(maxsize=None)
-    def evaluate_folder(self, folder, split):
+    def evaluate_folder(self, folder, split, *options):
         """The same of a data set that lies anywhere."""
-        return self._evaluate(folder, split, self._name(folder.name, split), ())
+        return self._evaluate(folder, split, self._name(folder.name, split, *options), options)
 
     def results(self, dataset, split, *options):
         """The results CSV of such a run."""
@@ -151,7 +151,7 @@ class Bench:
 
     @staticmethod
     def _name(*parts):
-        return re.sub(r"[^\w.]+", "_", "_".join(parts))
+        return re.sub(r"[^\w.]+", "_", "_".join(map(str, parts)))
 
     def _evaluate(self, folder, split, name, options):
         csv = self.out / f"{name}.csv"

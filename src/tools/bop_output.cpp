@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <sstream>
+#include <tuple>
 
 #include "monocular_eye_hand/evaluation/write_dataset.h"
 #include "monocular_eye_hand/geometry/error.h"
@@ -111,6 +112,7 @@ void renderBopScene(const BopRequest& request) {
   options.edge_samples = request.edge_samples;
 
   writeBopModels(request.dataset, parts);
+  std::tie(options.scene.size.min_pixels, options.scene.size.max_pixels) = request.part_pixels;
   BopSceneWriter writer(request.dataset, request.split, request.scene);
   for (int image = 0; image < request.count; ++image) {
     options.scene.level = levelOfImage(request, image);

@@ -143,6 +143,10 @@ void addBopOptions(CLI::App* app, meh::BopRequest* bop) {
                   "model base of further parts: up to three stand in each scene and are not in the truth");
   app->add_option("--sizes", bop->sizes, "of images, WIDTHxHEIGHT:WEIGHT,...; one is drawn per scene folder")
       ->capture_default_str();
+  app->add_option("--part-pixels", bop->part_pixels,
+                  "smallest and largest diameter of a part, roughly, in an image of 640 px")
+      ->check(CLI::Range(2.0, 640.0))
+      ->capture_default_str();
   app->add_option("--piled", bop->piled, "share of the parts of hard scenes that lie on or lean on others")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();

@@ -1,0 +1,117 @@
+"""Parts of many triangles, as binary STL in millimetres: what CAD programs and scanners make of simple shapes."""
+import math
+import random
+import struct
+
+SIDE_MM = 6.0    # of a boss of a plate, as high as wide, and of the gap between two
+
+
+def write_stl(path, triangles):
+    """The number of triangles."""
+    with open(path, "wb") as file:
+        file.write(b"\0" * 80 + struct.pack("<I", len(triangles)))
+        for a, b, c in triangles:
+            file.write(struct.pack("<12fH", 0, 0, 0, *a, *b, *c, 0))
+    return len(triangles)
+
+
+def grid(rows):
+    """The triangles between rows of points, each row as long as the others."""
+    triangles = []
+    for near, far in zip(rows, rows[1:]):
+        for a, b, c, d in zip(near, near[1:], far[1:], far):
+            triangles += [(a, b, c), (a, c, d)]
+    return triangles
+
+
+def plate(bosses, divisions):
+    """A plate with a grid of square bosses, so many along each side, each side of a boss divided so often."""
+    cells = 2 * bosses + 1
+    triangles = []
+
+    def is_boss(x, y):
+        return 0 <= x < cells and 0 <= y < cells and x % 2 == 1 and y % 2 == 1
+
+    def wall(corner, along, up):
+        """A cell's side or top; its normal is along x up."""
+        step = SIDE_MM / divisions
+        triangles.extend(grid([[tuple(corner[a] + step * (i * along[a] + k * up[a]) for a in range(3))
+                                for i in range(divisions + 1)] for k in range(divisions + 1)]))
+
+    end = cells * SIDE_MM
+    for x in range(cells):
+        for y in range(cells):
+            left, near, top = x * SIDE_MM, y * SIDE_MM, SIDE_MM * is_boss(x, y)
+            wall((left, near, top), (1, 0, 0), (0, 1, 0))
+            wall((left, near, -SIDE_MM), (0, 1, 0), (1, 0, 0))
+            if is_boss(x, y):
+                wall((left, near, 0), (1, 0, 0), (0, 0, 1))
+                wall((left + SIDE_MM, near, 0), (0, 1, 0), (0, 0, 1))
+                wall((left + SIDE_MM, near + SIDE_MM, 0), (-1, 0, 0), (0, 0, 1))
+                wall((left, near + SIDE_MM, 0), (0, -1, 0), (0, 0, 1))
+    for i in range(cells):
+        at = i * SIDE_MM
+        wall((at, 0, -SIDE_MM), (1, 0, 0), (0, 0, 1))
+        wall((end, at, -SIDE_MM), (0, 1, 0), (0, 0, 1))
+        wall((end - at, end, -SIDE_MM), (-1, 0, 0), (0, 0, 1))
+        wall((0, end - at, -SIDE_MM), (0, -1, 0), (0, 0, 1))
+    return triangles
+
+
+def turned(profile, around):
+    """A body of revolution about z: `profile` (radius, z) from the axis at the bottom to the axis at the top."""
+    angles = [2 * math.pi * i / around for i in range(around)] + [0.0]
+    rows = [[(r * math.cos(a), r * math.sin(a), z) for a in angles] for r, z in profile]
+    return [t for t in grid(rows) if len(set(t)) == 3]
+
+
+def bolt(diameter=12.0, pitch=1.75, length=60.0, head=7.5, across_flats=18.0, around=48):
+    """A hexagon bolt whose thread is modelled: a ridge that climbs one pitch a turn."""
+    outer, inner = diameter / 2, diameter / 2 - 0.6134 * pitch
+    angles = [2 * math.pi * i / around for i in range(around + 1)]
+    rows = []
+    for k in range(int(4 * length / pitch) + 1):
+        z = k * pitch / 4
+        row = []
+        for i, angle in enumerate(angles):
+            phase = (z / pitch - (i % around) / around) % 1.0
+            ridge = max(0.0, 1 - abs(4 * phase - 2))  # nothing for half of the pitch
+            fade = min(1.0, (length - z) / (2 * pitch), z / pitch)  # the thread runs out at both ends
+            radius = inner + (outer - inner) * ridge * max(0.0, fade)
+            row.append((radius * math.cos(angles[i % around]), radius * math.sin(angles[i % around]), z))
+        rows.append(row)
+    tip = [[(0.0, 0.0, 0.0)] * (around + 1)]
+
+    def hexagon(z):
+        corner = across_flats / math.sqrt(3)
+        row = []
+        for i in range(around + 1):
+            at = (i % around) * 6 / around
+            side, part = int(at), at - int(at)
+            a, b = (math.pi / 3 * side, math.pi / 3 * (side + 1))
+            row.append((corner * ((1 - part) * math.cos(a) + part * math.cos(b)),
+                        corner * ((1 - part) * math.sin(a) + part * math.sin(b)), z))
+        return row
+
+    top = [[(0.0, 0.0, length + head)] * (around + 1)]
+    triangles = grid(tip + rows + [hexagon(rows[-1][0][2]), hexagon(length + head)] + top)
+    return [t for t in triangles if len(set(t)) == 3]
+
+
+def scan(noise_mm=0.15, around=128, rows=64, seed=1):
+    """A bottle as a scanner sees it: a smooth body with a rough surface."""
+    draw = random.Random(seed)
+    profile = [(0.0, 0.0)]
+    for k in range(rows):
+        z = 150.0 * k / (rows - 1)
+        radius = 32 if z < 90 else 32 - 20 * (1 - math.cos(math.pi * min(1, (z - 90) / 40))) / 2
+        profile.append((radius, z))
+    profile.append((0.0, 150.0))
+    moved = {}
+
+    def rough(point):
+        if point not in moved:
+            moved[point] = tuple(x + draw.gauss(0, noise_mm) for x in point)
+        return moved[point]
+
+    return [tuple(rough(p) for p in triangle) for triangle in turned(profile, around)]
