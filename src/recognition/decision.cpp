@@ -40,7 +40,15 @@ bool farApart(const cv::Rect& a, const cv::Rect& b) {
   return (wider & b).area() == 0;
 }
 
+constexpr double kModelsOfFit = 5;  // of each search that the weights were fitted to
+constexpr double kFewer = 0.5;      // log-odds that a model loses when e times as many are known
+
 }  // namespace
+
+DecisionWeights amongModels(DecisionWeights weights, int models) {
+  weights.lead.bias -= kFewer * std::log(std::max(1.0, models / kModelsOfFit));
+  return weights;
+}
 
 bool conflict(const Candidate& chosen, const Candidate& other) {
   if (farApart(chosen.bounding_box, other.bounding_box)) return false;

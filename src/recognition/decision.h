@@ -12,6 +12,10 @@ double ownLogOdds(const Candidate& candidate, const DecisionWeights& weights);
 /// ... as a probability.
 double ownProbability(const Candidate& candidate, const DecisionWeights& weights);
 
+/// The weights for a search for so many models. An image shows few of many known parts: each of them is less
+/// likely from the start than one of the five that the weights were fitted with.
+DecisionWeights amongModels(DecisionWeights weights, int models);
+
 /// Order among explanations of the same part of the image: the probability (before the winner of a contest
 /// shared it) times the root of the evidence.
 /// Evidence alone lets large wrong poses win, probability alone lets a tidy part of an object win over the

@@ -12,10 +12,11 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr long long kHypotheses = 60000;  // of each model
-constexpr int kRefined = 150;             // of these, moved onto the edges
-constexpr int kVerified = 10;             // of these, judged
-constexpr int kOneIn = 10;                // of the models beyond thorough_models one in so many is promising
+// What one model gets at a first look.
+constexpr long long kHypotheses = 20000;  // from groupings
+constexpr size_t kSegments = 100;         // tried as its edges
+constexpr int kRefined = 60;              // hypotheses moved onto the edges
+constexpr int kVerified = 6;              // of these, judged
 
 // What a look for one model has shown.
 struct Looked {
@@ -31,8 +32,13 @@ struct Looked {
 Looked lookFor(const SearchTask& task, int object, WorkBudget* budget) {
   HypothesisPool pool(task, object);
   WorkBudget first = budget->upTo(kHypotheses);
-  hypothesesFromGroupings(task.image, object, task.models[size_t(object)], task.options, &pool, &first);
+  hypothesesFromGroupings(task, object, &pool, &first);
   budget->addPiece(first);
+
+  const std::vector<char> all(task.image.features.segments.size(), 1);
+  WorkBudget second = budget->part(1);
+  hypothesesFromEdges(task, object, all, kSegments, &pool, &second);
+  budget->add(second);
 
   StageLog unread;
   return {judgeHypotheses(task, object, &pool, kRefined, {}, budget, &unread)};
@@ -41,13 +47,14 @@ Looked lookFor(const SearchTask& task, int object, WorkBudget* budget) {
 }  // namespace
 
 FirstLook lookFirst(const SearchTask& task, WorkBudget* budget, StageLog* log) {
-  const int models = int(task.wanted.size()), thorough = task.options.thorough_models;
-  if (models <= thorough) return {task.wanted, {}};
+  const int models = int(task.wanted.size());
+  if (models <= task.options.thorough_models) return {task.wanted, {}};
 
   RecognitionOptions brief = task.options;
   brief.verified_per_object = std::min(brief.verified_per_object, kVerified);
-  const SearchTask looking{task.image, task.models, task.wanted, brief, nullptr, task.support};
-  const int promising = thorough + (models - thorough) / kOneIn;
+  const SearchTask looking{task.image, task.models,  task.wanted,      brief,
+                           nullptr,    task.support, task.largest_size};
+  const int promising = (task.options.thorough_models + 1) / 2;
   std::vector<Looked> looked(size_t(models), Looked{});
   log->timed("first look", [&](StageReport* report) {
     const long long before = budget->scored();

@@ -14,9 +14,10 @@ struct FirstLook {
   std::vector<Candidate> candidates;  ///< of the others, in the order of the models
 };
 
-/// Lays the most telling groupings of the image over every wanted model, a fixed number of hypotheses each,
-/// and judges the best of them: what each model's likeliest candidate is worth chooses those that are
-/// searched for to the end. Of a base of no more than `thorough_models` all are, without a look.
+/// Lays the most telling groupings and segments of the image over every wanted model, a fixed number each,
+/// and judges the best of the hypotheses: what each model's likeliest candidate is worth chooses half as many
+/// as `thorough_models` that are searched for to the end. Of a base of no more than `thorough_models` all
+/// are, without a look.
 FirstLook lookFirst(const SearchTask& task, WorkBudget* budget, StageLog* log);
 
 }  // namespace monocular_eye_hand

@@ -50,21 +50,19 @@ class HypothesisPool {
   BestOfPlaces<Hypothesis> best_;
 };
 
-/// Distances of a model's centre at which it is looked for: those of the options, and where its image is not
-/// too small.
-DistanceRange searchedDistances(const RecognitionOptions& options, const ObjectModel& model,
-                                const Camera& camera);
+/// Distances of a model's centre at which it is looked for: those of the options, and where its image is
+/// neither too small nor larger than the task wants it.
+DistanceRange searchedDistances(const SearchTask& task, const ObjectModel& model);
 
 /// Wong et al., 2.2, step 2: every image grouping with every model grouping of its kind, in every order that
 /// the kind admits, the most telling first: likely structure of one object that fits the model in few ways.
 /// Poses by the perspective tetrahedron, corner triplets of lines and circles (pair_poses.h).
-void hypothesesFromGroupings(const SearchImage& image, int object, const SearchModel& model,
-                             const RecognitionOptions& options, HypothesisPool* pool, WorkBudget* budget);
+void hypothesesFromGroupings(const SearchTask& task, int object, HypothesisPool* pool, WorkBudget* budget);
 
-/// One whole edge with the view sphere: every segment, long ones first, as every edge of every sampled view.
-/// `usable`: flags of the segments that may serve (not explained yet).
-void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
-                         const RecognitionOptions& options, const std::vector<char>& usable,
+/// One whole edge with the view sphere: the `most` most telling segments, long ones among few of their
+/// direction, as every edge of every sampled view. `usable`: flags of the segments that may serve (not
+/// explained yet).
+void hypothesesFromEdges(const SearchTask& task, int object, const std::vector<char>& usable, size_t most,
                          HypothesisPool* pool, WorkBudget* budget);
 
 }  // namespace monocular_eye_hand

@@ -108,14 +108,32 @@ Rigid3 poseFromRuler(const SearchModel& model, const Anchor& anchor, const Ruler
 float inHalfMap(double image, int origin) { return float(image - origin) * 0.5f + 0.5f; }
 float inImage(float half, int origin) { return (half - 0.5f) * 2 + float(origin); }
 
-// Segments from both ends, the longest first.
-std::vector<Ruler> rulersOf(const SearchImage& image, const std::vector<char>& usable) {
+// What the image says for an edge along the segment: much where little else is like it [map units].
+double evidenceAlong(const LineSegment& segment, const EvidenceMap& map) {
+  const Eigen::Vector2d along = segment.q - segment.p;
+  const int bin = orientationBin(float(along.x()), float(along.y()));
+  const int steps = int(segment.length());
+  double sum = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const Eigen::Vector2d uv = segment.p + along * (double(i) / steps);
+    const int8_t value =
+        map.full().at(bin, int(std::lround(uv.x())) - map.u0(), int(std::lround(uv.y())) - map.v0());
+    if (value != kOutside) sum += value;
+  }
+  return sum;
+}
+
+// At most so many segments from both ends, the most telling first.
+std::vector<Ruler> rulersOf(const SearchImage& image, const std::vector<char>& usable, size_t most) {
   const std::vector<LineSegment>& segments = image.features.segments;
   std::vector<int> order;
   for (size_t s = 0; s < segments.size(); ++s)
     if (usable[s] && segments[s].length() >= kMinSegment) order.push_back(int(s));
+  std::vector<double> said(segments.size(), 0);
+  for (int s : order) said[size_t(s)] = evidenceAlong(segments[size_t(s)], image.map);
   std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return segments[size_t(a)].length() > segments[size_t(b)].length(); });
+                   [&](int a, int b) { return said[size_t(a)] > said[size_t(b)]; });
+  if (order.size() > most) order.resize(most);
 
   std::vector<Ruler> rulers;
   const auto add = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
@@ -186,12 +204,12 @@ struct RulerSearch {
 
 }  // namespace
 
-void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
-                         const RecognitionOptions& options, const std::vector<char>& usable,
+void hypothesesFromEdges(const SearchTask& task, int object, const std::vector<char>& usable, size_t most,
                          HypothesisPool* pool, WorkBudget* budget) {
-  const Camera& camera = image.camera;
-  const DistanceRange range = searchedDistances(options, model.model(), camera);
-  const std::vector<Ruler> rulers = rulersOf(image, usable);
+  const SearchImage& image = task.image;
+  const SearchModel& model = task.models[size_t(object)];
+  const DistanceRange range = searchedDistances(task, model.model());
+  const std::vector<Ruler> rulers = rulersOf(image, usable, most);
   const RulerSearch search{image, model, range, rulers};
 
   FlatCandidates flat{image};
@@ -205,7 +223,7 @@ void hypothesesFromEdges(const SearchImage& image, const SearchModel& model,
     for (size_t i = size_t(share.first); i < candidates.size(); i += size_t(share.step)) {
       const FlatCandidate& c = candidates[i];
       const Anchor& anchor = model.levels()[size_t(c.level)].anchors[size_t(c.anchor)];
-      best->offer(poseFromRuler(model, anchor, rulers[size_t(c.ruler)], camera), GroupingKind::kEdge,
+      best->offer(poseFromRuler(model, anchor, rulers[size_t(c.ruler)], image.camera), GroupingKind::kEdge,
                   image.map, part);
     }
   });

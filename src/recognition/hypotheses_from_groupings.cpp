@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "recognition/hypotheses.h"
 #include "recognition/pair_poses.h"
@@ -9,6 +10,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr int kMaxPerKind = 100;  // best image groupings tried per kind
+constexpr double kOffAxis = 1.5;  // so much larger a part may look at the border than in the middle
 
 struct RankedGrouping {
   const Grouping* seen = nullptr;
@@ -23,13 +25,24 @@ int waysToLay(const Grouping& seen, const SearchModel& model) {
   return ways;
 }
 
+/// Whether its points lie nearer to each other than `limit` [px].
+bool isWithin(double limit, const Grouping& seen) {
+  for (const Eigen::Vector2d& p : seen.points)
+    for (const Eigen::Vector2d& q : seen.points)
+      if ((p - q).squaredNorm() > limit * limit) return false;
+  return true;
+}
+
 /// The image groupings that can come from the object, the most telling first: likely structure of one object
 /// (weight) that fits the model in few ways (rarity).
-std::vector<RankedGrouping> rankGroupings(const SearchImage& image, int object, const SearchModel& model) {
+std::vector<RankedGrouping> rankGroupings(const SearchImage& image, int object, const SearchModel& model,
+                                          const DistanceRange& range) {
+  const double focal = std::sqrt(image.camera.fx * image.camera.fy);
+  const double largest = kOffAxis * focal * model.model().diameter / range.nearest;
   std::vector<RankedGrouping> ranked;
   std::array<int, kGroupingKinds> tried{};
   for (const Grouping& seen : image.groupings) {  // best first within a kind
-    if (!fixesPose(seen)) continue;
+    if (!fixesPose(seen) || !isWithin(largest, seen)) continue;
     if (std::find(seen.candidates.begin(), seen.candidates.end(), object) == seen.candidates.end()) continue;
     const int ways = waysToLay(seen, model);
     if (ways == 0 || ++tried[size_t(seen.kind)] > kMaxPerKind) continue;
@@ -60,10 +73,11 @@ void offerGrouping(const SearchImage& image, const RankedGrouping& ranked, const
 
 }  // namespace
 
-void hypothesesFromGroupings(const SearchImage& image, int object, const SearchModel& model,
-                             const RecognitionOptions& options, HypothesisPool* pool, WorkBudget* budget) {
-  const DistanceRange range = searchedDistances(options, model.model(), image.camera);
-  const std::vector<RankedGrouping> ranked = rankGroupings(image, object, model);
+void hypothesesFromGroupings(const SearchTask& task, int object, HypothesisPool* pool, WorkBudget* budget) {
+  const SearchImage& image = task.image;
+  const SearchModel& model = task.models[size_t(object)];
+  const DistanceRange range = searchedDistances(task, model.model());
+  const std::vector<RankedGrouping> ranked = rankGroupings(image, object, model, range);
   gather(pool, budget, [&](const Share& share, WorkBudget* part, HypothesisPool* best) {
     for (size_t i = size_t(share.first); i < ranked.size(); i += size_t(share.step))
       offerGrouping(image, ranked[i], model, range, best, part);

@@ -31,10 +31,10 @@ bool Hypothesis::betterThan(const Hypothesis& other) const {
   return mine != others ? mine < others : kind < other.kind;
 }
 
-DistanceRange searchedDistances(const RecognitionOptions& options, const ObjectModel& model,
-                                const Camera& camera) {
-  const double focal = std::sqrt(camera.fx * camera.fy);
-  return {options.nearest(model.diameter),
+DistanceRange searchedDistances(const SearchTask& task, const ObjectModel& model) {
+  const RecognitionOptions& options = task.options;
+  const double focal = std::sqrt(task.image.camera.fx * task.image.camera.fy);
+  return {std::max(options.nearest(model.diameter), model.diameter * focal / task.largest_size),
           std::min(options.max_distance, model.diameter * focal / options.min_size)};
 }
 
@@ -44,7 +44,7 @@ HypothesisPool::HypothesisPool(const SearchTask& task, int object)
       camera_(task.image.camera),
       model_(task.models[object]),
       options_(task.options),
-      range_(searchedDistances(options_, model_.model(), camera_)),
+      range_(searchedDistances(task, model_.model())),
       best_(camera_.width, camera_.height, kPerPlace) {}
 
 void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const EvidenceMap& map,

@@ -11,7 +11,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kSurelyRight = 0.9;  // only such objects explain features away during the search
+constexpr size_t kMostSegments = 600;  // tried as edges of a part
+constexpr double kSurelyRight = 0.9;   // only such objects explain features away during the search
 
 // A flag per segment: no surely right explanation claims it.
 std::vector<char> unexplainedSegments(const FeatureSet& features, const std::vector<Candidate>& candidates,
@@ -72,20 +73,20 @@ SearchState searchGroupings(const SearchTask& task, std::vector<Candidate> known
   // Every object has its part of the second round, too.
   const Round round{"hypotheses from groupings", task.options.refined_per_object / 2,
                     int(task.wanted.size())};
-  return searchRound(
-      task, std::move(state), round, budget, log, [&](int object, HypothesisPool* pool, WorkBudget* part) {
-        hypothesesFromGroupings(task.image, object, task.models[size_t(object)], task.options, pool, part);
-      });
+  return searchRound(task, std::move(state), round, budget, log,
+                     [&](int object, HypothesisPool* pool, WorkBudget* part) {
+                       hypothesesFromGroupings(task, object, pool, part);
+                     });
 }
 
 SearchState searchEdges(const SearchTask& task, SearchState state, const std::vector<Explanation>& chosen,
                         WorkBudget* budget, StageLog* log) {
   const std::vector<char> usable = unexplainedSegments(task.image.features, state.candidates, chosen);
   const Round round{"hypotheses from edges", task.options.refined_per_object, 0};
-  return searchRound(
-      task, std::move(state), round, budget, log, [&](int object, HypothesisPool* pool, WorkBudget* part) {
-        hypothesesFromEdges(task.image, task.models[size_t(object)], task.options, usable, pool, part);
-      });
+  return searchRound(task, std::move(state), round, budget, log,
+                     [&](int object, HypothesisPool* pool, WorkBudget* part) {
+                       hypothesesFromEdges(task, object, usable, kMostSegments, pool, part);
+                     });
 }
 
 }  // namespace monocular_eye_hand

@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -12,8 +13,8 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "recognition/best_four_poses.h"
 #include "recognition/fine_pose.h"
+#include "recognition/finer_levels.h"
 #include "recognition/first_look.h"
-#include "recognition/full_size.h"
 #include "recognition/judging.h"
 #include "recognition/nearby_poses.h"
 #include "recognition/object_search.h"
@@ -63,13 +64,16 @@ int threadsOf(const RecognitionOptions& options) {
 }
 
 // Wong et al., 2.2, steps 2 to 6. `one_is_enough`: the search ends with the first accepted candidate.
-std::vector<Candidate> search(const SearchTask& all, bool one_is_enough, WorkBudget* budget, StageLog* log) {
+std::vector<Candidate> search(const SearchTask& all, std::vector<Candidate> known, bool one_is_enough,
+                              WorkBudget* budget, StageLog* log) {
   FirstLook first = lookFirst(all, budget, log);
-  const SearchTask task{all.image, all.models, first.promising, all.options, all.trace, all.support};
+  const SearchTask task{all.image, all.models,  first.promising, all.options,
+                        all.trace, all.support, all.largest_size};
+  std::move(first.candidates.begin(), first.candidates.end(), std::back_inserter(known));
 
   // Steps 2 to 5: an unmatched pair makes a hypothesis, its characteristic view is laid on the image,
   // evaluated, and verified; what the image bears out is recorded as a candidate.
-  SearchState found = searchGroupings(task, std::move(first.candidates), budget, log);
+  SearchState found = searchGroupings(task, std::move(known), budget, log);
   if (one_is_enough && anyAccepted(found.candidates, task.options)) return std::move(found.candidates);
 
   // Step 6: again from step 2, with single edges, until all groupings have been used; the search for one
@@ -129,31 +133,38 @@ RecognitionResult Recognizer::Impl::recognize(const cv::Mat& grey, const Camera&
                                               const RecognitionRequest& request) {
   camera.check();
   const std::vector<int> wanted = wantedObjects(base, request.only);
+  RecognitionOptions asked = options;
+  asked.decision = amongModels(std::move(asked.decision), int(wanted.size()));
   checkImage(grey, camera);
   WorkBudget budget(options.budget, options.time_limit);
   StageLog log;
 
   // The steps of Wong et al., 2.2. Step 1: groupings of the image; those of the models are at hand, and the
   // pairs of both are the branches of the search tree.
-  SearchImage image = lookAtImage(grey, camera, base, options, &log);
+  const int reduction = searchReduction(camera.width, options.search_width);
+  SearchImage image = lookAtImage(grey, camera, reduction, base, options, &log);
   std::optional<SearchTrace> trace;
   if (!request.traced.empty() && !request.proposals)
     trace.emplace(image, models, request.traced, double(camera.width) / image.camera.width);
   const std::optional<Support> support = supportOf(request);
   const Support* known_support = support ? &*support : nullptr;
-  const SearchTask searching{image, models, wanted, options, trace ? &*trace : nullptr, known_support};
+  const SearchTask searching{image, models, wanted, asked, trace ? &*trace : nullptr, known_support};
 
   // Steps 2 to 6, or the poses that are given instead.
   SearchOutcome outcome;
   std::vector<Candidate>& candidates = outcome.candidates;
-  candidates = request.proposals ? judgeProposals(searching, *request.proposals, &log)
-                                 : search(searching, !request.only.empty(), &budget, &log);
-  outcome.chosen = chooseExplanations(candidates);
+  const bool one_is_enough = !request.only.empty();
+  SearchLevel search_level = [&](const SearchTask& level, std::vector<Candidate> known) {
+    return search(level, std::move(known), one_is_enough, &budget, &log);
+  };
+  candidates =
+      request.proposals ? judgeProposals(searching, *request.proposals, &log) : search_level(searching, {});
 
   // What follows sees the image at the size that resolves the contours best.
-  std::optional<FullSize> full = judgeInFull(searching, base, candidates, outcome.chosen, grey, camera, &log);
-  if (full) candidates = std::move(full->candidates);
-  const SearchTask task{full ? full->image : image, models, wanted, options, nullptr, known_support};
+  if (request.proposals || (one_is_enough && anyAccepted(candidates, asked))) search_level = nullptr;
+  std::optional<ImageLevel> finer = lookFiner(searching, base, candidates, grey, camera, search_level, &log);
+  if (finer) candidates = std::move(finer->candidates);
+  const SearchTask task{finer ? finer->image : image, models, wanted, asked, nullptr, known_support};
 
   // What may lie a little better, what is easily taken for one another, and what hides behind another.
   candidates = tryNearbyPoses(task, std::move(candidates), &log);
@@ -168,7 +179,7 @@ RecognitionResult Recognizer::Impl::recognize(const cv::Mat& grey, const Camera&
 
   // What is right stands out among the other poses of its object; of poses that are nearly alike, what they
   // draw differently tells.
-  candidates = weighAmongOthers(std::move(candidates), options.decision);
+  candidates = weighAmongOthers(std::move(candidates), asked.decision);
   outcome.chosen = chooseExplanations(candidates);
   candidates = settleContests(task, std::move(candidates), outcome.chosen, &log);
   outcome.chosen = chooseExplanations(candidates);

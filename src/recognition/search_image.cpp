@@ -33,13 +33,11 @@ struct GreyImage {
   Camera camera;
 };
 
-GreyImage atSearchSize(const cv::Mat& grey, const Camera& camera, int search_width) {
-  double scale = 1;
-  while (camera.width * scale > search_width) scale /= 2;
-  if (scale == 1) return {grey, camera};
+GreyImage reduced(const cv::Mat& grey, const Camera& camera, int reduction) {
+  if (reduction == 1) return {grey, camera};
 
   GreyImage small;
-  small.camera = camera.resized(scale);
+  small.camera = camera.resized(1.0 / reduction);
   cv::resize(grey, small.grey, {small.camera.width, small.camera.height}, 0, 0, cv::INTER_AREA);
   return small;
 }
@@ -78,10 +76,12 @@ SearchImage withEvidence(SearchImage image) {
   return image;
 }
 
-SearchImage lookAtImage(const cv::Mat& grey, const Camera& camera, const ModelBase& base,
+int searchReduction(int width, int search_width) { return (width + search_width - 1) / search_width; }
+
+SearchImage lookAtImage(const cv::Mat& grey, const Camera& camera, int reduction, const ModelBase& base,
                         const RecognitionOptions& options, StageLog* log) {
   SearchImage image = log->timed("features", [&](StageReport* report) {
-    const GreyImage small = atSearchSize(grey, camera, options.search_width);
+    const GreyImage small = reduced(grey, camera, reduction);
     SearchImage seen = withFeatures(small.grey, small.camera, options.features);
     report->counts = {{"edge points", double(seen.features.points.size())},
                       {"traces", double(seen.features.traces.size())},

@@ -44,9 +44,12 @@ SearchImage withGroupings(SearchImage image, const ModelBase& base, const Groupi
 /// ... and what poses are scored and verified by.
 SearchImage withEvidence(SearchImage image);
 
-/// The image as it is searched: halved until it is no wider than options.search_width, then all of the above.
-/// `grey`: CV_8UC1 of the camera's size.
-SearchImage lookAtImage(const cv::Mat& grey, const Camera& camera, const ModelBase& base,
+/// An image of this width is searched in so many times fewer columns and rows: at most search_width [px].
+int searchReduction(int width, int search_width);
+
+/// The image in so many times fewer columns and rows, with all of the above. `grey`: CV_8UC1 of the camera's
+/// size.
+SearchImage lookAtImage(const cv::Mat& grey, const Camera& camera, int reduction, const ModelBase& base,
                         const RecognitionOptions& options, StageLog* log);
 
 }  // namespace monocular_eye_hand

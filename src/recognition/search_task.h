@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <vector>
 
 #include "monocular_eye_hand/recognition/options.h"
@@ -18,6 +19,8 @@ struct SearchTask {
   const RecognitionOptions& options;
   SearchTrace* trace = nullptr;      ///< listens to the search; nullptr: nobody does
   const Support* support = nullptr;  ///< what the parts stand on; nullptr: not known
+  double largest_size =
+      std::numeric_limits<double>::infinity();  ///< image of a diameter that is looked for [px]
 };
 
 }  // namespace monocular_eye_hand

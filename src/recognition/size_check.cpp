@@ -8,18 +8,11 @@
 namespace monocular_eye_hand {
 namespace {
 
-/// Focal length in the image as it is searched: halved until it is no wider than search_width [px].
-double searchedFocal(const Camera& camera, const RecognitionOptions& options) {
-  double focal = std::max(camera.fx, camera.fy), width = camera.width;
-  for (; width > options.search_width; width /= 2) focal /= 2;
-  return focal;
-}
-
 std::string warningFor(const ObjectModel& model, const Camera& camera, const RecognitionOptions& options) {
   const std::string size = model.name + ": its diameter is " + plainNumber(1000 * model.diameter) + " mm, ";
   const std::string cure = ": is the unit of its mesh right? Else change ";
   const double nearest = options.nearest(model.diameter);
-  const double largest = model.diameter * searchedFocal(camera, options) / nearest;
+  const double largest = model.diameter * std::max(camera.fx, camera.fy) / nearest;
   if (largest < options.min_size)
     return size + "which at min_distance (" + plainNumber(options.min_distance) + " m) is " +
            plainNumber(largest) + " px of min_size (" + plainNumber(options.min_size) +

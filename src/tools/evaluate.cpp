@@ -218,7 +218,7 @@ void writePages(const Arguments& args, const BopSplit& split, const BopModels& m
       run.times,
       measured(run.judged, split, models),
       run.traced,
-      searchLimits(recognizer.options(), split.width, args.scale),
+      searchLimits(recognizer.options(), args.scale),
       [&](const BopImage& image) { return source.load(image); }};
 
   if (!args.report.empty()) {

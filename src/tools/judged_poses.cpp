@@ -63,7 +63,7 @@ std::vector<JudgedPose> judgedPoses(const RecognitionResult& result, const std::
   return poses;
 }
 
-SearchLimits searchLimits(const RecognitionOptions& options, int width, double scale) {
+SearchLimits searchLimits(const RecognitionOptions& options, double scale) {
   SearchLimits limits;
   limits.min_distance = options.min_distance;
   limits.max_distance = options.max_distance;
@@ -71,8 +71,6 @@ SearchLimits searchLimits(const RecognitionOptions& options, int width, double s
   limits.min_in_frame = options.min_in_frame;
   limits.accept_probability = options.accept_probability;
   limits.searched_scale = scale;
-  for (double searched = width * scale; searched > options.search_width; searched /= 2)
-    limits.searched_scale /= 2;
   return limits;
 }
 

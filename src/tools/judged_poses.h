@@ -13,7 +13,7 @@ namespace monocular_eye_hand {
 std::vector<JudgedPose> judgedPoses(const RecognitionResult& result, const std::vector<int>& bop_objects,
                                     const BopImage& image, int first);
 
-/// The limits of the search for a data set whose images are `width` px wide and are resized by `scale`.
-SearchLimits searchLimits(const RecognitionOptions& options, int width, double scale);
+/// The limits of the search for a data set whose images are resized by `scale`.
+SearchLimits searchLimits(const RecognitionOptions& options, double scale);
 
 }  // namespace monocular_eye_hand

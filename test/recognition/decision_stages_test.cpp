@@ -1,8 +1,10 @@
-// What stands between the search and the verdict: proposals, nearby poses, twins, hidden parts, the full size
-// of an image.
+// What stands between the search and the verdict: proposals, nearby poses, twins, hidden parts, larger sizes
+// of the image.
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "recognition/hypotheses.h"
 #include "recognition/judging.h"
 #include "recognition/nearby_poses.h"
 #include "recognition/occlusion.h"
@@ -33,6 +35,29 @@ struct SearchOf {
   const std::vector<int> wanted;
   const SearchTask task{image, models, wanted, options};
 };
+
+// How near the best of the hypotheses from so many segments comes to the picture's object [px].
+double nearestFromSegments(const std::string& name, const Picture& picture, size_t most) {
+  const SearchOf search(name, picture);
+  const int object = search.wanted[0];
+  HypothesisPool pool(search.task, object);
+  WorkBudget no_limit;
+  const std::vector<char> all(search.image.features.segments.size(), 1);
+  hypothesesFromEdges(search.task, object, all, most, &pool, &no_limit);
+
+  double nearest = std::numeric_limits<double>::max();
+  for (const Hypothesis& h : pool.take(100))
+    nearest = std::min(nearest, poseError(shippedModel(name), picture.camera, h.camera_from_object,
+                                          picture.truth.at(0).camera_from_object)
+                                    .image);
+  return nearest;
+}
+
+TEST(HypothesesFromEdges, few_segments_suffice_that_tell_most) {
+  const Picture picture = shippedPicture("golden/bracket");
+  EXPECT_EQ(nearestFromSegments("bracket", picture, 0), std::numeric_limits<double>::max());
+  EXPECT_LT(nearestFromSegments("bracket", picture, 30), 15);
+}
 
 TEST(Proposals, are_judged_instead_of_searching) {
   const Picture picture = shippedPicture("golden/bracket");
@@ -179,7 +204,7 @@ RecognitionResult searchedAtHalfSize(const cv::Mat& grey, const Camera& camera) 
   return Recognizer(someModels({"bracket"}), options).recognize(grey, camera);
 }
 
-TEST(FullSize, what_was_searched_at_half_size_is_decided_in_full) {
+TEST(FinerLevels, what_was_searched_at_half_size_is_decided_in_full) {
   const Picture picture = shippedPicture("golden/bracket");
   const Camera camera = picture.camera.resized(2);
   Scene scene = plainScene({standing("bracket", shippedModel("bracket").mesh)},
@@ -200,6 +225,34 @@ TEST(FullSize, what_was_searched_at_half_size_is_decided_in_full) {
   EXPECT_GT(best.bounding_box.area(), 0);
 }
 
+TEST(FinerLevels, reductions_are_whole_numbers) {
+  for (const auto& [width, reduction] :
+       {std::pair(640, 1), {960, 1}, {961, 2}, {1280, 2}, {1920, 2}, {2592, 3}, {4000, 5}})
+    EXPECT_EQ(searchReduction(width, 960), reduction) << width;
+}
+
+TEST(FinerLevels, find_parts_that_the_search_at_half_size_cannot_see) {
+  const Camera camera{1280, 960, 900, 900, 639.5, 479.5, DistortionModel::kNone, {}};
+  const ObjectModel& bracket = shippedModel("bracket");
+  const double distance = bracket.diameter * camera.fx / 46;  // 23 px wide in half
+  ASSERT_LT(distance, RecognitionOptions().max_distance);
+  const Scene scene =
+      plainScene({standing("bracket", bracket.mesh)}, lookFrom(-1.1, 0.75, distance, {0, 0, 0.02}));
+  const RenderedImage image = renderScene(scene, camera);
+  const std::vector<TruthObject> truth = truthOf(scene, image);
+  ASSERT_EQ(truth.size(), 1u);
+
+  const Recognizer recognizer(someModels({"bracket", "bridge"}));
+  const RecognitionResult result = recognizer.recognize(image.grey, camera);
+  ASSERT_EQ(result.objects.size(), 1u) << listed(result);
+  EXPECT_LT(
+      poseError(bracket, camera, result.objects[0].camera_from_object, truth[0].camera_from_object).image, 4);
+
+  cv::Mat half;
+  cv::resize(image.grey, half, {}, 0.5, 0.5, cv::INTER_AREA);
+  EXPECT_THAT(recognizer.recognize(half, camera.resized(0.5)).objects, testing::IsEmpty());
+}
+
 // How many of the picture's objects are found within 4 px of its own size.
 int foundOf(const Picture& picture, int enlarged) {
   const Camera camera = picture.camera.resized(enlarged);
@@ -216,7 +269,7 @@ int foundOf(const Picture& picture, int enlarged) {
   return found;
 }
 
-TEST(FullSize, is_not_taken_where_it_resolves_no_more_than_half_of_it) {
+TEST(FinerLevels, are_not_taken_where_they_resolve_no_more) {
   for (const char* name : {"demo/two_bridges_and_grenade", "demo/frame_and_flange"}) {
     const Picture picture = shippedPicture(name);
     ASSERT_GT(foundOf(picture, 1), 1) << name;

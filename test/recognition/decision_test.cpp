@@ -202,6 +202,14 @@ TEST(LeadWeights, that_were_fitted_favour_what_stands_out) {
   EXPECT_LT(among_equals, 0.2);
 }
 
+TEST(LeadWeights, among_many_models_each_is_less_likely_from_the_start) {
+  const DecisionWeights fitted = fittedWeights();
+  for (int models : {1, 3, 5}) EXPECT_EQ(amongModels(fitted, models).lead.bias, fitted.lead.bias) << models;
+  const double twenty = amongModels(fitted, 20).lead.bias, hundred = amongModels(fitted, 100).lead.bias;
+  EXPECT_LT(twenty, fitted.lead.bias);
+  EXPECT_NEAR(hundred - twenty, -0.5 * std::log(5), 1e-12);
+}
+
 TEST(RankScore, more_evidence_and_probability_lift_it) {
   Candidate base;
   base.terms = goodTerms();

@@ -44,8 +44,9 @@ TEST(SizeCheck, WrongUnitsAreNoticed) {
 
 TEST(SizeCheck, FollowsCameraAndOptions) {
   EXPECT_THAT(sizeWarnings(partOf(0.002), camera(640, 2000), {}), IsEmpty());
-  // Wide images are searched at half size.
-  EXPECT_THAT(sizeWarnings(partOf(0.002), camera(1280, 1400), {}).size(), 1u);
+  // Small parts are searched for in the full image, however wide.
+  EXPECT_THAT(sizeWarnings(partOf(0.002), camera(1280, 1400), {}), IsEmpty());
+  EXPECT_THAT(sizeWarnings(partOf(0.002), camera(1280, 700), {}).size(), 1u);
   RecognitionOptions far;
   far.min_distance = 0.25;
   EXPECT_THAT(sizeWarnings(partOf(0.008), camera(640, 700), far).size(), 1u);

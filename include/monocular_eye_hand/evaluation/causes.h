@@ -13,7 +13,7 @@ namespace monocular_eye_hand {
 /// The limits that an instance or its candidate may lie beyond (RecognitionOptions).
 struct SearchLimits {
   double min_distance = 0, max_distance = std::numeric_limits<double>::infinity();  ///< [m]
-  double min_size = 0;              ///< [px of the searched image]
+  double min_size = 0;              ///< [px of the image as it was given to the search]
   double min_in_frame = 0;          ///< share of the contour
   double accept_probability = 0.5;  ///< smallest of what is reported
   double searched_scale = 1;        ///< searched pixels per pixel of the data set's images

@@ -27,7 +27,7 @@ struct LostAt {
     kNotAligned,      ///< ... none that reached the edges
     kNotVerified,     ///< ... none that was the best of its place and that the fine alignment brought to it
     kNotBorneOut,     ///< ... none that the image bears out
-    kNotKept,         ///< ... none that was judged: not looked at in full size, or moved away there
+    kNotKept,         ///< ... none that was judged: not looked at in a larger image, or moved away there
     kNotJudged,       ///< no candidate near, and it is not known at which of the stages above it was lost
     kRejected,        ///< a right candidate was too improbable
     kSuppressed,      ///< a right candidate fell to another explanation

@@ -14,12 +14,13 @@ struct RecognitionOptions {
   DecisionWeights decision = fittedWeights();
   double min_distance = 0.05;  ///< nearest object centre considered [m]; none nearer than its diameter
   double max_distance = 2.5;   ///< farthest object centre considered [m]
-  double min_size = 32.0;      ///< smallest image of an object's diameter considered [px]
+  double min_size = 32.0;      ///< smallest image of an object's diameter considered, in the full image [px]
   double min_in_frame = 0.4;   ///< smallest share of an object's contour inside the image
-  int search_width = 960;  ///< wider images are searched at half size (again and again), refined in full [px]
+  int search_width = 960;      ///< wider images are searched smaller first (finer_levels.h) [px]
   int refined_per_object = 300;  ///< hypotheses moved onto the edges, per object and round
   int verified_per_object = 30;  ///< of these, refined on the exact contour and judged
-  int thorough_models = 100;     ///< models searched for to the end; of those beyond, the best tenth
+  int thorough_models = 10;      ///< all of so many models are searched for to the end; of more, the half of
+                                 ///< this number that is most promising at a first look
   int budget = 0;                ///< most hypotheses scored per image; 0 = until all groupings are used
   double time_limit = 0;         ///< wall-clock cut [s]; 0 = none. A result it cuts says truncated.
   int threads = 0;               ///< that share the work on one image, which has the same answer; 0 = one
