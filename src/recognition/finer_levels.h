@@ -25,7 +25,7 @@ using SearchLevel = std::function<std::vector<Candidate>(const SearchTask&, std:
 /// rivals of each, are moved onto its edges and verified there. Parts that the smaller one showed too small
 /// are searched for by `search`, which may be empty. It ends with the full image, where the candidates are
 /// resolved and no part can be too small, or where the larger image says less because it is blurred. Nothing
-/// when that is the image of the search. `base`: the task's image is its groupings'; `grey`, `camera`: the
+/// when that is the image of the task. `base`: the models that groupings are made for; `grey`, `camera`: the
 /// full image.
 std::optional<ImageLevel> lookFiner(const SearchTask& task, const ModelBase& base,
                                     const std::vector<Candidate>& candidates, const cv::Mat& grey,
