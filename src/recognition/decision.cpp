@@ -69,6 +69,7 @@ std::vector<std::vector<int>> allConflicts(const std::vector<Candidate>& candida
 
 std::vector<Standing> standings(const std::vector<Candidate>& candidates, const DecisionWeights& weights) {
   std::vector<Competitor> competitors;
+  competitors.reserve(candidates.size());
   for (const Candidate& candidate : candidates)
     competitors.push_back({candidate.object, ownLogOdds(candidate, weights), {}});
   const auto hopeless = [&](size_t i) { return competitors[i].log_odds < kHopeless; };

@@ -24,7 +24,8 @@ double gradientNoise(const FeatureSet& features) {
 std::vector<int> traceOfPoint(const FeatureSet& features) {
   std::vector<int> trace(features.points.size(), -1);
   for (size_t t = 0; t < features.traces.size(); ++t)
-    for (int i = 0; i < features.traces[t].count; ++i) trace[size_t(features.traces[t].first + i)] = int(t);
+    for (int i = 0; i < features.traces[t].count; ++i)
+      trace[size_t(features.traces[t].first) + size_t(i)] = int(t);
   return trace;
 }
 
