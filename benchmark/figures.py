@@ -46,6 +46,11 @@ class Scene:
     instances: int              # that `found` counts
     estimates: int              # that `right` counts
 
+    def counts(self):
+        """[found, instances, right, estimates]"""
+        return [round(self.found * self.instances / 100), self.instances, round(self.right * self.estimates / 100),
+                self.estimates]
+
 
 SCENE_LINE = re.compile(
     r"scene (\d+): found \S+ \((\d+)/(\d+)\) right \S+ \((\d+)/(\d+)\) AR (\S+) median (\S+) s")

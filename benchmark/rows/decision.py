@@ -24,11 +24,7 @@ def totals(bench, kind):
     counts = {}
     for folder in corpus_folders(kind):
         for number, scene in bench.evaluate_folder(folder, "dev").items():
-            total = counts.setdefault(number, [0, 0, 0, 0])
-            total[0] += round(scene.found * scene.instances / 100)
-            total[1] += scene.instances
-            total[2] += round(scene.right * scene.estimates / 100)
-            total[3] += scene.estimates
+            counts[number] = [sum(column) for column in zip(counts.get(number, [0, 0, 0, 0]), scene.counts())]
     return counts
 
 

@@ -38,16 +38,14 @@ def models(bench, curves):
     for count in MODELS:
         scenes = [scene for folder in folders
                   for scene in bench.evaluate_folder(folder, "dev", "--models", with_others(bench, folder, parts, count)).values()]
-        runs[count] = (sum(scene.median_seconds for scene in scenes), sum(scene.found * scene.instances for scene in scenes),
-                       sum(scene.instances for scene in scenes), sum(scene.right * scene.estimates for scene in scenes) / 100,
-                       sum(scene.estimates for scene in scenes))
+        runs[count] = (sum(scene.median_seconds for scene in scenes), *map(sum, zip(*(scene.counts() for scene in scenes))))
     seconds, found = runs[5][:2]
     curves["models over 5"] = [(count / 5, run[0] / seconds) for count, run in runs.items()]
     for count, most in MODELS.items():
         time, now_found, instances, right, estimates = runs[count]
-        conditions = f"{len(folders)} test sets of five models; right {right:.0f} of {estimates}; one thread"
-        yield Figure(f"found with {count} models", now_found / instances, "%",
-                     most and f">= {found / instances - 1:.1f}", conditions=conditions)
+        conditions = f"{len(folders)} test sets of five models; right {right} of {estimates}; one thread"
+        yield Figure(f"found with {count} models", share(now_found, instances), "%",
+                     most and f">= {share(found, instances) - 1:.1f}", conditions=conditions)
         if most:
             yield Figure(f"time with {count} models over five", time / seconds, "times", f"<= {most}", conditions=conditions)
 

@@ -6,6 +6,7 @@
 #include "monocular_eye_hand/model/contour.h"
 #include "recognition/bent_edges.h"
 #include "recognition/feature_refinement.h"
+#include "recognition/focal_length.h"
 #include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {
@@ -86,7 +87,7 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
   const Rigid3 object_from_camera = pose.inverse();
   const double distance = (pose * model.centre()).norm();
   ContourOptions options;
-  options.step = step * distance / std::sqrt(camera.fx * camera.fy);
+  options.step = step * distance / focalLength(camera);
   const std::vector<ContourSample> contour = visibleContour(model, object_from_camera.translation, options);
   std::vector<SeenSample> seen;
   seen.reserve(contour.size());

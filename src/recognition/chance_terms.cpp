@@ -39,9 +39,7 @@ void chanceTerms(const SearchImage& image, Candidate* candidate) {
           ++hits_of_all;
           shared += std::binary_search(candidate->claimed.begin(), candidate->claimed.end(), found);
         }
-        const int8_t value = image.map.full().at(
-            orientationBin(float(s.direction.x()), float(s.direction.y())),
-            int(std::lround(uv.x())) - image.map.u0(), int(std::lround(uv.y())) - image.map.v0());
+        const int8_t value = image.map.at(uv, s.direction);
         if (value != kOutside) nats += value / double(kEvidenceUnit);
       }
 

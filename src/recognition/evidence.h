@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <vector>
@@ -98,6 +99,12 @@ class EvidenceMap {
   int v0() const { return v0_; }
   /// kOutside where the lens shows nothing.
   const EvidencePlanes& full() const { return full_; }
+  /// What an edge of this direction says at the pixel nearest to a point of the rectified image; kOutside
+  /// beyond it.
+  int8_t at(const Eigen::Vector2d& uv, const Eigen::Vector2d& direction) const {
+    const int bin = orientationBin(float(direction.x()), float(direction.y()));
+    return full_.at(bin, int(std::lround(uv.x())) - u0_, int(std::lround(uv.y())) - v0_);
+  }
   const EvidencePlanes& half() const { return half_; }  ///< every second pixel of every second row
 
  private:

@@ -6,6 +6,7 @@
 
 #include "recognition/alignment.h"
 #include "recognition/decision.h"
+#include "recognition/focal_length.h"
 #include "recognition/judging.h"
 
 namespace monocular_eye_hand {
@@ -59,8 +60,6 @@ bool largerSaysNoLess(std::vector<Said> said) {
   return gain >= 0;
 }
 
-double focalLength(const Camera& camera) { return std::sqrt(camera.fx * camera.fy); }
-
 // Whether the likely candidates show less than a larger image would: their mean size, by their probability.
 bool unresolved(const SearchTask& task, const std::vector<Candidate>& candidates,
                 const std::vector<Explanation>& chosen) {
@@ -91,6 +90,7 @@ struct Descent {
   const SearchTask& task;  // of the smaller image
   const std::vector<Candidate>& candidates;
   const std::vector<Explanation>& chosen;
+  const std::vector<int>& small;  // models that are searched for again
   const SearchLevel& search;
 
   std::optional<ImageLevel> into(SearchImage larger, StageLog* log) const {
@@ -98,13 +98,12 @@ struct Descent {
     level.image = std::move(larger);
     const double scale = double(level.image.camera.width) / task.image.camera.width;
     std::vector<Said> said;
-    const SearchTask again{level.image, task.models, task.wanted, task.options, nullptr, task.support};
+    const SearchTask again = task.in(level.image);
     level.candidates = log->timed(
         "larger image", [&](StageReport* report) { return judgedAgain(again, scale, &said, report); });
 
-    const std::vector<int> small = maySeemSmaller(task, task.options.min_size);
-    if (search && !small.empty()) {
-      SearchTask searching{level.image, task.models, small, task.options, nullptr, task.support};
+    if (!small.empty()) {
+      SearchTask searching = again.forModels(small);
       searching.largest_size = kSmall * scale * task.options.min_size;
       const size_t known = level.candidates.size();
       level.candidates = search(searching, std::move(level.candidates));
@@ -146,15 +145,14 @@ std::optional<ImageLevel> lookFiner(const SearchTask& task, const ModelBase& bas
   std::optional<ImageLevel> finest;
   const int first = searchReduction(camera.width, task.options.search_width) / 2;
   for (int reduction = first; reduction >= 1; reduction /= 2) {
-    const SearchTask from{
-        finest ? finest->image : task.image, task.models, task.wanted, task.options, nullptr, task.support};
+    const SearchTask from = task.in(finest ? finest->image : task.image);
     const std::vector<Candidate>& known = finest ? finest->candidates : candidates;
     const std::vector<Explanation> chosen = chooseExplanations(known);
-    const bool too_small = search && !maySeemSmaller(from, task.options.min_size).empty();
-    if (!too_small && !unresolved(from, known, chosen)) break;
+    const std::vector<int> small = search ? maySeemSmaller(from, task.options.min_size) : std::vector<int>();
+    if (small.empty() && !unresolved(from, known, chosen)) break;
 
     SearchImage larger = lookAtImage(grey, camera, reduction, base, task.options, log);
-    std::optional<ImageLevel> next = Descent{from, known, chosen, search}.into(std::move(larger), log);
+    std::optional<ImageLevel> next = Descent{from, known, chosen, small, search}.into(std::move(larger), log);
     if (!next) break;
     finest = std::move(next);
   }

@@ -29,15 +29,14 @@ struct Looked {
   }
 };
 
-Looked lookFor(const SearchTask& task, int object, WorkBudget* budget) {
+Looked lookFor(const SearchTask& task, int object, const std::vector<int>& segments, WorkBudget* budget) {
   HypothesisPool pool(task, object);
   WorkBudget first = budget->upTo(kHypotheses);
   hypothesesFromGroupings(task, object, &pool, &first);
   budget->addPiece(first);
 
-  const std::vector<char> all(task.image.features.segments.size(), 1);
   WorkBudget second = budget->part(1);
-  hypothesesFromEdges(task, object, all, kSegments, &pool, &second);
+  hypothesesFromEdges(task, object, segments, &pool, &second);
   budget->add(second);
 
   StageLog unread;
@@ -58,8 +57,10 @@ FirstLook lookFirst(const SearchTask& task, WorkBudget* budget, StageLog* log) {
   std::vector<Looked> looked(size_t(models), Looked{});
   log->timed("first look", [&](StageReport* report) {
     const long long before = budget->scored();
+    const std::vector<char> all(task.image.features.segments.size(), 1);
+    const std::vector<int> segments = mostTellingSegments(task.image, all, kSegments);
     inParts(models, 2 * promising, budget, [&](int i, WorkBudget* part) {
-      looked[size_t(i)] = lookFor(looking, task.wanted[size_t(i)], part);
+      looked[size_t(i)] = lookFor(looking, task.wanted[size_t(i)], segments, part);
     });
     report->counts = {
         {"models", models}, {"promising", promising}, {"scored", double(budget->scored() - before)}};

@@ -59,10 +59,12 @@ DistanceRange searchedDistances(const SearchTask& task, const ObjectModel& model
 /// Poses by the perspective tetrahedron, corner triplets of lines and circles (pair_poses.h).
 void hypothesesFromGroupings(const SearchTask& task, int object, HypothesisPool* pool, WorkBudget* budget);
 
-/// One whole edge with the view sphere: the `most` most telling segments, long ones among few of their
-/// direction, as every edge of every sampled view. `usable`: flags of the segments that may serve (not
-/// explained yet).
-void hypothesesFromEdges(const SearchTask& task, int object, const std::vector<char>& usable, size_t most,
+/// The usable segments (flags) that may be edges of a part, the most telling first, at most so many: long
+/// ones among few of their direction.
+std::vector<int> mostTellingSegments(const SearchImage& image, const std::vector<char>& usable, size_t most);
+
+/// One whole edge with the view sphere: every one of these segments as every edge of every sampled view.
+void hypothesesFromEdges(const SearchTask& task, int object, const std::vector<int>& segments,
                          HypothesisPool* pool, WorkBudget* budget);
 
 }  // namespace monocular_eye_hand

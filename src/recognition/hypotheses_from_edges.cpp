@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "recognition/best_of_places.h"
+#include "recognition/focal_length.h"
 #include "recognition/hypotheses.h"
 #include "recognition/shared_work.h"
 
@@ -94,7 +95,7 @@ Rigid3 poseFromRuler(const SearchModel& model, const Anchor& anchor, const Ruler
       p + scale * (Eigen::Rotation2Dd(roll) * Eigen::Vector2d(-anchor.a.cast<double>()));
   const Eigen::Vector3d ray = camera.ray(centre_uv).normalized();
   // Off the axis a small object appears magnified by 1/cos across and 1/cos^2 along the radius.
-  const double focal = std::sqrt(camera.fx * camera.fy);
+  const double focal = focalLength(camera);
   const double distance = focal / (scale * std::pow(ray.z(), 1.5));
   Rigid3 pose;
   pose.rotation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ray).toRotationMatrix() *
@@ -111,30 +112,18 @@ float inImage(float half, int origin) { return (half - 0.5f) * 2 + float(origin)
 // What the image says for an edge along the segment: much where little else is like it [map units].
 double evidenceAlong(const LineSegment& segment, const EvidenceMap& map) {
   const Eigen::Vector2d along = segment.q - segment.p;
-  const int bin = orientationBin(float(along.x()), float(along.y()));
   const int steps = int(segment.length());
   double sum = 0;
   for (int i = 0; i <= steps; ++i) {
-    const Eigen::Vector2d uv = segment.p + along * (double(i) / steps);
-    const int8_t value =
-        map.full().at(bin, int(std::lround(uv.x())) - map.u0(), int(std::lround(uv.y())) - map.v0());
+    const int8_t value = map.at(segment.p + along * (double(i) / steps), along);
     if (value != kOutside) sum += value;
   }
   return sum;
 }
 
-// At most so many segments from both ends, the most telling first.
-std::vector<Ruler> rulersOf(const SearchImage& image, const std::vector<char>& usable, size_t most) {
+// The segments from both ends.
+std::vector<Ruler> rulersOf(const SearchImage& image, const std::vector<int>& chosen) {
   const std::vector<LineSegment>& segments = image.features.segments;
-  std::vector<int> order;
-  for (size_t s = 0; s < segments.size(); ++s)
-    if (usable[s] && segments[s].length() >= kMinSegment) order.push_back(int(s));
-  std::vector<double> said(segments.size(), 0);
-  for (int s : order) said[size_t(s)] = evidenceAlong(segments[size_t(s)], image.map);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return said[size_t(a)] > said[size_t(b)]; });
-  if (order.size() > most) order.resize(most);
-
   std::vector<Ruler> rulers;
   const auto add = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
     const Eigen::Vector2d d = q - p;
@@ -144,7 +133,7 @@ std::vector<Ruler> rulersOf(const SearchImage& image, const std::vector<char>& u
     ruler.turn = int(std::lround(std::atan2(d.y(), d.x()) / M_PI * 256.0)) & 255;
     rulers.push_back(ruler);
   };
-  for (int s : order) {
+  for (int s : chosen) {
     add(segments[size_t(s)].p, segments[size_t(s)].q);
     add(segments[size_t(s)].q, segments[size_t(s)].p);
   }
@@ -168,7 +157,7 @@ struct RulerSearch {
 
   void lay(int r, FlatCandidates* found, WorkBudget* budget) const {
     const Camera& camera = image.camera;
-    const double focal = std::sqrt(camera.fx * camera.fy);
+    const double focal = focalLength(camera);
     const double diameter = model.model().diameter;
     const double length = (rulers[size_t(r)].q - rulers[size_t(r)].p).norm();
     for (size_t l = 0; l < model.levels().size(); ++l) {
@@ -204,12 +193,28 @@ struct RulerSearch {
 
 }  // namespace
 
-void hypothesesFromEdges(const SearchTask& task, int object, const std::vector<char>& usable, size_t most,
+std::vector<int> mostTellingSegments(const SearchImage& image, const std::vector<char>& usable, size_t most) {
+  const std::vector<LineSegment>& segments = image.features.segments;
+  std::vector<int> order;
+  std::vector<double> said(segments.size(), 0);
+  for (size_t s = 0; s < segments.size(); ++s) {
+    if (!usable[s] || segments[s].length() < kMinSegment) continue;
+    order.push_back(int(s));
+    said[s] = evidenceAlong(segments[s], image.map);
+  }
+
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return said[size_t(a)] > said[size_t(b)]; });
+  if (order.size() > most) order.resize(most);
+  return order;
+}
+
+void hypothesesFromEdges(const SearchTask& task, int object, const std::vector<int>& segments,
                          HypothesisPool* pool, WorkBudget* budget) {
   const SearchImage& image = task.image;
   const SearchModel& model = task.models[size_t(object)];
   const DistanceRange range = searchedDistances(task, model.model());
-  const std::vector<Ruler> rulers = rulersOf(image, usable, most);
+  const std::vector<Ruler> rulers = rulersOf(image, segments);
   const RulerSearch search{image, model, range, rulers};
 
   FlatCandidates flat{image};

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "recognition/focal_length.h"
 #include "recognition/hypotheses.h"
 #include "recognition/pair_poses.h"
 #include "recognition/shared_work.h"
@@ -37,7 +38,7 @@ bool isWithin(double limit, const Grouping& seen) {
 /// (weight) that fits the model in few ways (rarity).
 std::vector<RankedGrouping> rankGroupings(const SearchImage& image, int object, const SearchModel& model,
                                           const DistanceRange& range) {
-  const double focal = std::sqrt(image.camera.fx * image.camera.fy);
+  const double focal = focalLength(image.camera);
   const double largest = kOffAxis * focal * model.model().diameter / range.nearest;
   std::vector<RankedGrouping> ranked;
   std::array<int, kGroupingKinds> tried{};

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "recognition/focal_length.h"
 #include "recognition/hypotheses.h"
 #include "recognition/search_trace.h"
 
@@ -33,7 +34,7 @@ bool Hypothesis::betterThan(const Hypothesis& other) const {
 
 DistanceRange searchedDistances(const SearchTask& task, const ObjectModel& model) {
   const RecognitionOptions& options = task.options;
-  const double focal = std::sqrt(task.image.camera.fx * task.image.camera.fy);
+  const double focal = focalLength(task.image.camera);
   return {std::max(options.nearest(model.diameter), model.diameter * focal / task.largest_size),
           std::min(options.max_distance, model.diameter * focal / options.min_size)};
 }

@@ -82,10 +82,11 @@ SearchState searchGroupings(const SearchTask& task, std::vector<Candidate> known
 SearchState searchEdges(const SearchTask& task, SearchState state, const std::vector<Explanation>& chosen,
                         WorkBudget* budget, StageLog* log) {
   const std::vector<char> usable = unexplainedSegments(task.image.features, state.candidates, chosen);
+  const std::vector<int> segments = mostTellingSegments(task.image, usable, kMostSegments);
   const Round round{"hypotheses from edges", task.options.refined_per_object, 0};
   return searchRound(task, std::move(state), round, budget, log,
                      [&](int object, HypothesisPool* pool, WorkBudget* part) {
-                       hypothesesFromEdges(task, object, usable, kMostSegments, pool, part);
+                       hypothesesFromEdges(task, object, segments, pool, part);
                      });
 }
 

@@ -67,8 +67,7 @@ int threadsOf(const RecognitionOptions& options) {
 std::vector<Candidate> search(const SearchTask& all, std::vector<Candidate> known, bool one_is_enough,
                               WorkBudget* budget, StageLog* log) {
   FirstLook first = lookFirst(all, budget, log);
-  const SearchTask task{all.image, all.models,  first.promising, all.options,
-                        all.trace, all.support, all.largest_size};
+  const SearchTask task = all.forModels(first.promising);
   std::move(first.candidates.begin(), first.candidates.end(), std::back_inserter(known));
 
   // Steps 2 to 5: an unmatched pair makes a hypothesis, its characteristic view is laid on the image,
@@ -164,7 +163,7 @@ RecognitionResult Recognizer::Impl::recognize(const cv::Mat& grey, const Camera&
   if (request.proposals || (one_is_enough && anyAccepted(candidates, asked))) search_level = nullptr;
   std::optional<ImageLevel> finer = lookFiner(searching, base, candidates, grey, camera, search_level, &log);
   if (finer) candidates = std::move(finer->candidates);
-  const SearchTask task{finer ? finer->image : image, models, wanted, asked, nullptr, known_support};
+  const SearchTask task = searching.in(finer ? finer->image : image);
 
   // What may lie a little better, what is easily taken for one another, and what hides behind another.
   candidates = tryNearbyPoses(task, std::move(candidates), &log);

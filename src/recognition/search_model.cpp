@@ -9,6 +9,7 @@
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "recognition/anchors.h"
 #include "recognition/flat_view.h"
+#include "recognition/focal_length.h"
 #include "recognition/resolved_contour.h"
 
 namespace monocular_eye_hand {
@@ -134,7 +135,7 @@ void SearchModel::buildBoxTurns() {
 
 bool SearchModel::coincide(const Camera& camera, const Rigid3& a, const Rigid3& b, double resolved) const {
   const double distance = (a * model().centre()).norm();
-  const double limit = resolved * distance / std::sqrt(camera.fx * camera.fy);
+  const double limit = resolved * distance / focalLength(camera);
   const std::vector<Eigen::Vector3d>& points = model().mesh.vertices;
   const size_t stride = 1 + points.size() / kMostCompared;
   const Rigid3 a_to_b = b.inverse() * a, b_to_a = a.inverse() * b;

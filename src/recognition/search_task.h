@@ -21,6 +21,13 @@ struct SearchTask {
   const Support* support = nullptr;  ///< what the parts stand on; nullptr: not known
   double largest_size =
       std::numeric_limits<double>::infinity();  ///< image of a diameter that is looked for [px]
+
+  /// The same search in another image, for parts of any size; what listens to this one does not see it.
+  SearchTask in(const SearchImage& other) const { return {other, models, wanted, options, nullptr, support}; }
+  /// The same search for some of the models.
+  SearchTask forModels(const std::vector<int>& some) const {
+    return {image, models, some, options, trace, support, largest_size};
+  }
 };
 
 }  // namespace monocular_eye_hand

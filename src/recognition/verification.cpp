@@ -69,9 +69,7 @@ ContourTally tally(const SearchImage& image, const std::vector<SeenSample>& cont
     ++feature.samples;
     feature.hits += hit;
 
-    const int bin = orientationBin(float(s.direction.x()), float(s.direction.y()));
-    const int8_t value = image.map.full().at(bin, int(std::lround(s.uv.x())) - image.map.u0(),
-                                             int(std::lround(s.uv.y())) - image.map.v0());
+    const int8_t value = image.map.at(s.uv, s.direction);
     if (value != kOutside) t.evidence += value;
     if (!hit) continue;
 

@@ -3,6 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "recognition/drawing_terms.h"
+#include "recognition/focal_length.h"
 
 namespace monocular_eye_hand {
 
@@ -15,7 +16,7 @@ void viewTerms(const SearchModel& model, const SearchImage& image, Candidate* ca
   terms.extent = model.model().diameter > 0 ? std::min(1.0, seen.length / model.model().diameter) : 1;
   terms.complexity = std::log(std::max(1.0, terms.contour_length) / std::max(1.0, terms.size));
   const double distance = (pose * model.model().centre()).norm();
-  terms.diameter = model.model().diameter / distance * std::sqrt(image.camera.fx * image.camera.fy);
+  terms.diameter = model.model().diameter / distance * focalLength(image.camera);
 }
 
 }  // namespace monocular_eye_hand

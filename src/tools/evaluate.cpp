@@ -273,6 +273,7 @@ int main(int argc, char** argv) {
   using namespace monocular_eye_hand;
   cv::setNumThreads(1);  // times are those of one thread
   Arguments args;
+
   CLI::App app(
       "Runs the recogniser over a data set of the BOP format, writes BOP results and prints found, right, "
       "AR and AP.",
@@ -283,6 +284,7 @@ int main(int argc, char** argv) {
   app.add_option("--split", args.split, "its sub-folder with the scenes, e.g. test")->required();
   app.add_option("--models", args.models, "folder of models_info.json and the meshes [DATASET/models]");
   app.add_option("--targets", args.targets, "BOP'19 target list: only its images are run and scored");
+
   app.add_option("--scenes", args.scenes, "only these scenes")->delimiter(',');
   app.add_option("--images", args.images, "only these image ids of every scene")->delimiter(',');
   app.add_option("--warp", args.warp,
@@ -290,6 +292,7 @@ int main(int argc, char** argv) {
       ->delimiter(',')
       ->expected(1, 5);
   app.add_option("--scale", args.scale, "resize images and camera by this factor")->capture_default_str();
+
   app.add_option("--options", args.options, "YAML of recognition options")->check(CLI::ExistingFile);
   app.add_option("--decision", args.decision, "YAML of the decision's weights, as fit_decision writes it")
       ->check(CLI::ExistingFile);
@@ -297,6 +300,7 @@ int main(int argc, char** argv) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
+
   app.add_option(
          "--proposals", args.proposals,
          "dump of an earlier run: its poses are judged again instead of searching, in a fraction of the "
@@ -305,6 +309,7 @@ int main(int argc, char** argv) {
   app.add_flag(
       "--support", args.support,
       "the parts stand on or above the plane z = 0 of the world: cam_R_w2c, cam_t_w2c of scene_camera.json");
+
   app.add_flag("--all", args.all, "write rejected candidates too");
   app.add_option("--out", args.out, "results file R.csv; R.times.csv is written beside it")->required();
   app.add_option("--dump", args.dump,
@@ -318,6 +323,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--misses", args.misses,
                  "folder for a page that explains every missed and every wrong object");
+
   int exit_code = 0;
   if (!parseArguments(&app, argc, argv, &exit_code)) return exit_code;
   return runTool("evaluate", [&] { return evaluate(args); });

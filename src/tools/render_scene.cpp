@@ -71,17 +71,21 @@ void renderAll(const Arguments& arguments) {
   fs::create_directories(arguments.out);
   const std::string folder = arguments.out + "/";
   meh::writeCamera(folder + "camera.yaml", camera);
+
   meh::RenderOptions options;
   options.samples = options.edge_samples = arguments.samples > 0 ? arguments.samples : kPictureSamples;
   options.ambient_occlusion = options.samples >= 5;
   options.seed = arguments.seed;
+
   for (const meh::DemoScene& demo : scenes) {
     const meh::Camera& used = demo.distorted ? wideAngleCamera() : camera;
     if (demo.distorted) meh::writeCamera(folder + "camera_" + demo.file + ".yaml", used);
     const meh::RenderedImage image = meh::renderScene(demo.scene, used, options);
+
     const std::string picture = folder + demo.file + ".png";
     if (!cv::imwrite(picture, image.grey, {cv::IMWRITE_PNG_COMPRESSION, 9}))
       throw meh::BadInput(picture + ": cannot be written");
+
     const std::vector<meh::TruthObject> truth = meh::truthOf(demo.scene, image);
     meh::writeTruth(folder + demo.file + ".truth.json", truth);
     std::cout << picture << ": " << truth.size() << " known objects\n";
@@ -105,6 +109,7 @@ void renderBop(const Arguments& arguments) {
 void addPictureOptions(CLI::App* app, Arguments* arguments) {
   app->add_option("--objects", arguments->objects, "model base (YAML)")->required();
   app->add_option("--out", arguments->out, "folder for NAME.png, NAME.truth.json and camera.yaml");
+
   app->add_option("--set", arguments->set,
                   "random scenes of these parts, or the pictures of the package: demo, golden")
       ->check(CLI::IsMember({"random", "demo", "golden"}))
@@ -122,6 +127,7 @@ void addPictureOptions(CLI::App* app, Arguments* arguments) {
       ->capture_default_str();
   app->add_option("--seed", arguments->seed, "of the first random scene and of the noise")
       ->capture_default_str();
+
   app->add_option("--camera", arguments->camera, "calibration YAML (default: 640x480, f = 700 px)");
   app->add_option(
          "--samples", arguments->samples,

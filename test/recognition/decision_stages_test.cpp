@@ -43,7 +43,7 @@ double nearestFromSegments(const std::string& name, const Picture& picture, size
   HypothesisPool pool(search.task, object);
   WorkBudget no_limit;
   const std::vector<char> all(search.image.features.segments.size(), 1);
-  hypothesesFromEdges(search.task, object, all, most, &pool, &no_limit);
+  hypothesesFromEdges(search.task, object, mostTellingSegments(search.image, all, most), &pool, &no_limit);
 
   double nearest = std::numeric_limits<double>::max();
   for (const Hypothesis& h : pool.take(100))
