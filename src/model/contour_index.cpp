@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace monocular_eye_hand {
 namespace {
@@ -85,39 +87,42 @@ void CylinderWall::cover(double angle, std::vector<Interval>* out) const {
   if (!out->empty()) out->resize(kept + 1);
 }
 
-void ContourIndex::addPatch(const ObjectModel& model, const Topology& topology,
-                            const std::vector<char>& sharp, int surface) {
-  FreeformPatch patch;
-  patch.group = model.groupOfSilhouette(surface);
-  // The line lies on the triangles or a little inside the true surface: rays must clear the bulge of the
-  // facets.
-  patch.start = std::max(start, 2.5 * model.tessellation_error);
-  std::map<int, int> local_vertex, local_edge;
-  const auto vertex = [&](int v) {
-    const auto [it, is_new] = local_vertex.emplace(v, int(patch.points.size()));
-    if (is_new) {
-      patch.points.push_back(model.mesh.vertices[v]);
-      patch.normals.push_back(Eigen::Vector3d::Zero());
-    }
-    return it->second;
-  };
+namespace {
+
+constexpr double kPointed = 0.5;  // between the facets at a point and their mean normal, at least [rad]
+
+/// Mean normals of a surface at its vertices, weighted by the angles of the corners: they do not depend on
+/// how faces were cut into triangles.
+std::map<int, Eigen::Vector3d> meanNormals(const ObjectModel& model, const Topology& topology, int surface) {
+  std::map<int, Eigen::Vector3d> normals;
   for (const int t : model.surfaces[surface].triangles) {
-    FreeformPatch::Triangle out;
     const auto& corners = model.mesh.triangles[t];
     for (int c = 0; c < 3; ++c) {
-      out.corner[c] = vertex(corners[c]);
-      out.edge[c] =
-          local_edge.emplace(topology.edges_of_triangle[t][c], int(local_edge.size())).first->second;
-      // Weighted by the corner's angle, the normal does not depend on how faces were cut into triangles.
-      const Eigen::Vector3d a = model.mesh.vertices[corners[(c + 1) % 3]] - model.mesh.vertices[corners[c]];
-      const Eigen::Vector3d b = model.mesh.vertices[corners[(c + 2) % 3]] - model.mesh.vertices[corners[c]];
-      patch.normals[out.corner[c]] += std::atan2(a.cross(b).norm(), a.dot(b)) * topology.normals[t];
+      const Eigen::Vector3d& p = model.mesh.vertices[corners[c]];
+      const Eigen::Vector3d a = model.mesh.vertices[corners[(c + 1) % 3]] - p;
+      const Eigen::Vector3d b = model.mesh.vertices[corners[(c + 2) % 3]] - p;
+      const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+      normals.emplace(corners[c], Eigen::Vector3d::Zero()).first->second += angle * topology.normals[t];
     }
-    patch.triangles.push_back(out);
   }
-  patch.edge_count = int(local_edge.size());
-  for (Eigen::Vector3d& n : patch.normals) n.normalize();
-  // Where the patch runs smoothly into a plane or a cylinder it takes that surface's exact normal.
+  for (auto& [vertex, normal] : normals) normal.normalize();
+  return normals;
+}
+
+/// Vertices at which the surface comes to a point: all of it there is far from facing their mean normal.
+std::set<int> pointsOf(const ObjectModel& model, const Topology& topology, int surface,
+                       const std::map<int, Eigen::Vector3d>& mean_normals) {
+  std::set<int> pointed;
+  for (const auto& [vertex, normal] : mean_normals) pointed.insert(vertex);
+  for (const int t : model.surfaces[surface].triangles)
+    for (const int v : model.mesh.triangles[t])
+      if (mean_normals.at(v).dot(topology.normals[t]) > std::cos(kPointed)) pointed.erase(v);
+  return pointed;
+}
+
+/// Where a patch runs smoothly into a plane or a cylinder it takes that surface's exact normal.
+void takeExactNormals(const ObjectModel& model, const Topology& topology, const std::vector<char>& sharp,
+                      int surface, std::map<int, Eigen::Vector3d>* normals) {
   for (size_t k = 0; k < topology.edges.size(); ++k) {
     const MeshEdge& e = topology.edges[k];
     if (sharp[k] || e.uses != 2) continue;
@@ -125,7 +130,7 @@ void ContourIndex::addPatch(const ObjectModel& model, const Topology& topology,
     if (s0 == s1 || (s0 != surface && s1 != surface)) continue;
     const Surface& other = model.surfaces[s0 == surface ? s1 : s0];
     for (const int v : {e.a, e.b}) {
-      Eigen::Vector3d& n = patch.normals[local_vertex.at(v)];
+      Eigen::Vector3d& n = normals->at(v);
       if (other.kind == Surface::Kind::kPlane) n = other.axis;
       if (other.kind == Surface::Kind::kCylinder) {
         const Eigen::Vector3d d = model.mesh.vertices[v] - other.point;
@@ -133,6 +138,54 @@ void ContourIndex::addPatch(const ObjectModel& model, const Topology& topology,
       }
     }
   }
+}
+
+/// Mean normal of the surface's triangles at an edge.
+Eigen::Vector3d normalAtEdge(const ObjectModel& model, const Topology& topology, int surface, int edge) {
+  const MeshEdge& e = topology.edges[edge];
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int t : {e.t0, e.t1})
+    if (t >= 0 && model.surface_of_triangle[t] == surface) sum += topology.normals[t];
+  return sum.normalized();
+}
+
+}  // namespace
+
+void ContourIndex::addPatch(const ObjectModel& model, const Topology& topology,
+                            const std::vector<char>& sharp, int surface) {
+  FreeformPatch patch;
+  patch.group = model.groupOfSilhouette(surface);
+  // The line lies on the triangles or a little inside the true surface: rays must clear the bulge of the
+  // facets.
+  patch.start = std::max(start, 2.5 * model.tessellation_error);
+
+  std::map<int, Eigen::Vector3d> normals = meanNormals(model, topology, surface);
+  const std::set<int> pointed = pointsOf(model, topology, surface, normals);
+  takeExactNormals(model, topology, sharp, surface, &normals);
+  std::map<std::pair<int, int>, int> nodes;
+  const auto node = [&](int vertex, int edge) {
+    const bool own = pointed.count(vertex) > 0;
+    const auto [it, is_new] = nodes.emplace(std::make_pair(vertex, own ? edge : -1), int(nodes.size()));
+    if (is_new) {
+      patch.points.push_back(model.mesh.vertices[vertex]);
+      patch.normals.push_back(own ? normalAtEdge(model, topology, surface, edge) : normals.at(vertex));
+    }
+    return it->second;
+  };
+
+  std::map<int, int> local_edge;
+  for (const int t : model.surfaces[surface].triangles) {
+    FreeformPatch::Triangle out;
+    const auto& corners = model.mesh.triangles[t];
+    for (int c = 0; c < 3; ++c) {
+      const int edge = topology.edges_of_triangle[t][c];
+      out.begin[c] = node(corners[c], edge);
+      out.end[c] = node(corners[(c + 1) % 3], edge);
+      out.edge[c] = local_edge.emplace(edge, int(local_edge.size())).first->second;
+    }
+    patch.triangles.push_back(out);
+  }
+  patch.edge_count = int(local_edge.size());
   patches.push_back(std::move(patch));
 }
 
@@ -148,16 +201,25 @@ std::vector<Polyline> silhouetteLines(const FreeformPatch& patch, const Eigen::V
   }
   std::vector<Segment> segments;
   std::vector<std::pair<int, int>> at_edge;  // (edge, segment)
+  int points_crossed = 0;
   for (const auto& t : patch.triangles) {
     Segment s;
     int found = 0;
+    const auto cross = [&](int a, int b, int edge) {
+      if ((side[a] > 0) == (side[b] > 0)) return;
+      if (found < 2) {
+        const double share = side[a] / (side[a] - side[b]);
+        s.edge[found] = edge;
+        s.point[found] = patch.points[a] + share * (patch.points[b] - patch.points[a]);
+        s.normal[found] = (patch.normals[a] + share * (patch.normals[b] - patch.normals[a])).normalized();
+      }
+      ++found;
+    };
     for (int c = 0; c < 3; ++c) {
-      const int a = t.corner[c], b = t.corner[(c + 1) % 3];
-      if ((side[a] > 0) == (side[b] > 0)) continue;
-      const double share = side[a] / (side[a] - side[b]);
-      s.edge[found] = t.edge[c];
-      s.point[found] = patch.points[a] + share * (patch.points[b] - patch.points[a]);
-      s.normal[found++] = (patch.normals[a] + share * (patch.normals[b] - patch.normals[a])).normalized();
+      cross(t.begin[c], t.end[c], t.edge[c]);
+      // Through the point itself, where the line ends.
+      const int next = t.begin[(c + 1) % 3];
+      if (t.end[c] != next) cross(t.end[c], next, patch.edge_count + points_crossed++);
     }
     if (found != 2) continue;
     at_edge.emplace_back(s.edge[0], int(segments.size()));

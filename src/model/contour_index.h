@@ -27,14 +27,15 @@ struct CylinderWall {
   void cover(double angle, std::vector<Interval>* out) const;
 };
 
-/// A free-form surface with vertex normals: its silhouette runs where normal . view ray crosses zero.
+/// A free-form surface with normals at its vertices: its silhouette runs where normal . view ray crosses zero.
+/// Where it comes to a point, as at the tip of a cone, every edge that ends there has a normal of its own.
 struct FreeformPatch {
   int group = 0;
   double start = 0;
-  std::vector<Eigen::Vector3d> points, normals;
+  std::vector<Eigen::Vector3d> points, normals;  ///< per node: a vertex, or an edge's end at a point
   struct Triangle {
-    int corner[3];
-    int edge[3];  ///< local number of the edge from corner k to corner k + 1
+    int begin[3], end[3];  ///< nodes of the edges; end[k] and begin[k + 1] differ only at a point
+    int edge[3];           ///< local numbers of the edges
   };
   std::vector<Triangle> triangles;
   int edge_count = 0;

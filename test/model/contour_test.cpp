@@ -287,6 +287,25 @@ TEST(Contour, ConeShowsItsGeneratorLines) {
   EXPECT_NEAR(samples, 2 * std::hypot(0.04, 0.02) / options.step, 6);
 }
 
+TEST(Contour, ConeShowsItsGeneratorLinesUpToItsTip) {
+  const double radius = 0.03, height = 0.08;
+  const ObjectModel m = build(cone(48, radius, 0, height));
+  ContourOptions options;
+  options.step = 0.001;
+  for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0.3, 0.05, 0.02), Eigen::Vector3d(-0.1, 0.25, 0.2)}) {
+    int samples = 0;
+    double highest = 0;
+    for (const ContourSample& s : visibleContour(m, eye, options)) {
+      if (s.group < m.groupOfSilhouette(0)) continue;
+      ++samples;
+      highest = std::max(highest, s.p.z());
+      EXPECT_NEAR(s.p.head<2>().norm(), radius * (1 - s.p.z() / height), 0.005 * radius);
+    }
+    EXPECT_GT(highest, height - 2 * options.step);
+    EXPECT_NEAR(samples, 2 * std::hypot(height, radius) / options.step, 6);
+  }
+}
+
 TEST(Contour, SilhouetteSideNamesWhereTheObjectIs) {
   for (const char* name : {"bridge", "bracket", "grenade", "flange"}) {
     const ObjectModel m = build(loadMesh(shippedModel(name), "mm"));
