@@ -44,6 +44,9 @@ EdgeRaster::EdgeRaster(const FeatureSet& features, const RectDomain& domain)
     if (cell < 0 || own) cell = index;
   };
   const auto& points = features.points;
+  salience_.reserve(points.size());
+  for (const EdgePoint& p : points) salience_.push_back(std::sqrt(p.gradient));
+
   for (int pass = 0; pass < 2; ++pass)  // thickening first, so that a point's own pixel wins
     for (size_t i = 0; i < points.size(); ++i) {
       const int x = int(std::lround(points[i].uv.x())) - u0_, y = int(std::lround(points[i].uv.y())) - v0_;
@@ -72,7 +75,7 @@ int EdgeRaster::find(const Eigen::Vector2d& uv, const Eigen::Vector2d& normal, d
     const float along = std::fabs(p.normal.x() * nx + p.normal.y() * ny);
     if (along < 0.906f) return;
     const float d = ((p.uv.x() - u) * nx + (p.uv.y() - v) * ny) * inverse_range;
-    const float score = p.gradient * along * (1.05f - d * d);
+    const float score = salience_[size_t(index)] * along * (1.05f - d * d);
     if (score <= best_score) return;
     best_score = score;
     best = index;

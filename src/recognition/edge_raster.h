@@ -33,6 +33,9 @@ class EdgeRaster {
  private:
   const EdgePoint* points_ = nullptr;
   int u0_ = 0, v0_ = 0, width_ = 0, height_ = 0;
+  // Root of each point's gradient: the border of a shadow, though stronger, must not draw a contour off an
+  // edge that lies beside it.
+  std::vector<float> salience_;
   std::vector<int32_t> index_;
 };
 

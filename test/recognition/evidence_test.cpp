@@ -262,6 +262,16 @@ TEST_F(EdgeRasterTest, prefers_the_nearer_of_equals_and_the_much_stronger) {
   EXPECT_GE(find({81, 60}, 0, 6), 80) << "ten times as strong, one pixel farther";
 }
 
+TEST_F(EdgeRasterTest, the_border_of_a_shadow_beside_does_not_win_by_its_contrast) {
+  addEdge(&features_, {80, 20}, M_PI / 2, 80, 20);  // points 0..79
+  addEdge(&features_, {88, 20}, M_PI / 2, 80, 40);
+  for (double u : {78.0, 80.0, 81.0}) {
+    const int found = find({u, 60}, 0, 10);
+    ASSERT_GE(found, 0) << u;
+    EXPECT_LT(found, 80) << u;
+  }
+}
+
 TEST_F(EdgeRasterTest, every_step_of_a_walk_is_looked_at) {
   for (int off = -13; off <= 13; ++off) {
     features_ = {};
