@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "recognition/flat_view.h"
+#include "recognition/outline_sides.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -12,14 +15,9 @@ namespace {
 constexpr double kMinShare = 0.10;    // shortest ruler, as a share of the diameter
 constexpr double kMinVisible = 0.8;   // of an edge: else its ends are not those of the segment
 constexpr size_t kEnough = 4;         // rulers: a view with as many sharp edges needs no other
+constexpr double kLong = 0.25;        // a view without a ruler of this share of the diameter needs others
 constexpr double kStraight = 0.0015;  // departure of a straight line from its chord, share of the diameter
 constexpr double kNext = 2.5;         // steps between neighbouring samples of one line
-
-// A line of a view whose ends an image segment may have.
-struct Ruler {
-  Eigen::Vector2d a, b;   // on the plane of the flat view [m]
-  std::vector<char> own;  // a flag per sample: it lies on the ruler
-};
 
 std::vector<char> ownSamples(size_t count, int first, int last) {
   std::vector<char> own(count, 0);
@@ -28,16 +26,16 @@ std::vector<char> ownSamples(size_t count, int first, int last) {
 }
 
 void addEdges(const ObjectModel& model, const SampledView& view, const Eigen::Matrix3d& rotation,
-              const FlatView& flat, double step, std::vector<Ruler>* rulers) {
+              const FlatView& flat, double step, std::vector<ViewRuler>* rulers) {
   std::vector<int> visible(model.edges.size(), 0);
   for (int group : flat.group)
     if (group < int(visible.size())) ++visible[size_t(group)];
   for (size_t e = 0; e < model.edges.size(); ++e) {
     const ModelEdge& edge = model.edges[e];
     if (visible[e] * step < kMinVisible * (edge.q - edge.p).norm()) continue;
-    Ruler ruler{flatPoint(edge.p, view, rotation, model.centre()),
-                flatPoint(edge.q, view, rotation, model.centre()), std::vector<char>(flat.group.size())};
-    if ((ruler.b - ruler.a).norm() < kMinShare * model.diameter) continue;
+    ViewRuler ruler{flatPoint(edge.p, view, rotation, model.centre()),
+                    flatPoint(edge.q, view, rotation, model.centre()), std::vector<char>(flat.group.size())};
+    if (ruler.length() < kMinShare * model.diameter) continue;
     for (size_t i = 0; i < flat.group.size(); ++i) ruler.own[i] = flat.group[i] == int(e);
     rulers->push_back(std::move(ruler));
   }
@@ -60,7 +58,7 @@ int bend(const FlatView& flat, int first, int last, double tolerance) {
 }
 
 // Straight pieces of the samples first ... last of one line.
-void addStraight(const FlatView& flat, int first, int last, double diameter, std::vector<Ruler>* rulers) {
+void addStraight(const FlatView& flat, int first, int last, double diameter, std::vector<ViewRuler>* rulers) {
   const Eigen::Vector2d &p = flat.place[size_t(first)], &q = flat.place[size_t(last)];
   if (last - first < 3) return;
   const int bent = bend(flat, first, last, kStraight * diameter);
@@ -78,7 +76,7 @@ void addStraight(const FlatView& flat, int first, int last, double diameter, std
 
 // Of the lines that are no straight edges.
 void addStraightPieces(const ObjectModel& model, const SampledView& view, const FlatView& flat, double step,
-                       std::vector<Ruler>* rulers) {
+                       std::vector<ViewRuler>* rulers) {
   const int count = int(flat.place.size());
   const auto goesOn = [&](int i) {
     return flat.group[size_t(i)] == flat.group[size_t(i) - 1] &&
@@ -93,9 +91,13 @@ void addStraightPieces(const ObjectModel& model, const SampledView& view, const 
   }
 }
 
+bool anyLongerThan(double length, const std::vector<ViewRuler>& rulers) {
+  return std::any_of(rulers.begin(), rulers.end(), [&](const ViewRuler& r) { return r.length() > length; });
+}
+
 // The anchor of a ruler: samples of other lines first, farthest from the ruler first. None of a view without
 // samples.
-std::optional<Anchor> makeAnchor(const FlatView& flat, const Ruler& ruler, int view, double diameter) {
+std::optional<Anchor> makeAnchor(const FlatView& flat, const ViewRuler& ruler, int view, double diameter) {
   const Eigen::Vector2d &a = ruler.a, ab = ruler.b - ruler.a;
   std::vector<double> weight(flat.place.size());
   for (size_t i = 0; i < weight.size(); ++i) {
@@ -145,10 +147,14 @@ std::vector<AnchorLevel> anchorLevels(const KnownObject& object,
       const Eigen::Matrix3d& rotation = view_rotations[size_t(index)];
       const double step = sampleStepOf(view);
       const FlatView flat = flatten(view, rotation, model.centre(), step);
-      std::vector<Ruler> rulers;
+      std::vector<ViewRuler> rulers;
       addEdges(model, view, rotation, flat, step, &rulers);
       if (rulers.size() < kEnough) addStraightPieces(model, view, flat, step, &rulers);
-      for (const Ruler& ruler : rulers)
+      if (!anyLongerThan(kLong * model.diameter, rulers)) {
+        std::vector<ViewRuler> sides = outlineSides(flat, model.diameter);
+        std::move(sides.begin(), sides.end(), std::back_inserter(rulers));
+      }
+      for (const ViewRuler& ruler : rulers)
         if (const auto anchor = makeAnchor(flat, ruler, index, model.diameter))
           level.anchors.push_back(*anchor);
     }

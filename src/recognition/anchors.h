@@ -28,9 +28,10 @@ struct AnchorLevel {
   std::vector<Anchor> anchors;
 };
 
-/// The anchors of a model, level by level. Rulers are its straight sharp edges and, in views that show few of
-/// them, the straight pieces of other lines: where a cylinder or a rounded part ends against the background.
-/// `view_rotations`: the camera's axes in the object frame as rows, one per view of the sphere.
+/// The anchors of a model, level by level. Rulers are its straight sharp edges, in views that show few of
+/// them the straight pieces of other lines, where a cylinder or a rounded part ends against the background,
+/// and in views without a long ruler the straight sides of the outline, as along a thread. `view_rotations`:
+/// the camera's axes in the object frame as rows, one per view of the sphere.
 std::vector<AnchorLevel> anchorLevels(const KnownObject& object,
                                       const std::vector<Eigen::Matrix3d>& view_rotations);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "../model/shapes.h"
 #include "recognition/search_model.h"
 #include "verified.h"
 
@@ -30,6 +31,27 @@ TEST(Anchors, of_a_cylinder_are_the_limbs_of_its_wall) {
   const std::vector<double> lengths = anchorLengths(cylinderMesh(0.02, 0.08));
   ASSERT_FALSE(lengths.empty()) << "it has no straight edge";
   EXPECT_NEAR(lengths.back(), 0.08, 0.006);
+}
+
+// A screw whose thread is rings of crest and root.
+Mesh screw(double radius, double shank, double head) {
+  constexpr double kPitch = 0.00125;
+  shapes::Outline profile{{0, 0}};
+  for (double z = 0; z < shank - kPitch; z += kPitch) {
+    profile.emplace_back(0.85 * radius, z);
+    profile.emplace_back(radius, z + 0.5 * kPitch);
+  }
+  profile.insert(profile.end(),
+                 {{radius, shank}, {2 * radius, shank}, {2 * radius, shank + head}, {0, shank + head}});
+  return shapes::revolved(profile, 36);
+}
+
+TEST(Anchors, of_a_screw_are_the_sides_of_its_shank) {
+  const double radius = 0.004, shank = 0.045;
+  const std::vector<double> lengths = anchorLengths(screw(radius, shank, 0.006));
+  const auto beside = std::count_if(lengths.begin(), lengths.end(),
+                                    [&](double length) { return std::abs(length - shank) < 0.1 * shank; });
+  EXPECT_GE(beside, 2) << "in the view from the side";
 }
 
 TEST(Anchors, a_ball_has_none) { EXPECT_TRUE(anchorLengths(sphereMesh(0.03, 80)).empty()); }

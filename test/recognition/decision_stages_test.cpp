@@ -234,7 +234,7 @@ TEST(FinerLevels, reductions_are_whole_numbers) {
 TEST(FinerLevels, find_parts_that_the_search_at_half_size_cannot_see) {
   const Camera camera{1280, 960, 900, 900, 639.5, 479.5, DistortionModel::kNone, {}};
   const ObjectModel& bracket = shippedModel("bracket");
-  const double distance = bracket.diameter * camera.fx / 46;  // 23 px wide in half
+  const double distance = bracket.diameter * camera.fx / 44;  // 22 px wide in half
   ASSERT_LT(distance, RecognitionOptions().max_distance);
   const Scene scene =
       plainScene({standing("bracket", bracket.mesh)}, lookFrom(-1.1, 0.75, distance, {0, 0, 0.02}));
