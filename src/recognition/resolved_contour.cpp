@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace monocular_eye_hand {
 namespace {
@@ -10,18 +11,22 @@ namespace {
 constexpr double kOneLine = 2.5;   // lines nearer than this are one in the image [px]
 constexpr double kBeside = 3.0;    // a sample stands for so much of its line to either side [px]
 constexpr double kParallel = 0.9;  // ... when they run the same way: |cos| of the angle between
+constexpr double kCrowd = 10;      // so near to a ring other lines crowd it [px]
 constexpr double kOutline = 10;    // strength of a silhouette: above any dihedral [rad]
 
 double strength(const ObjectModel& model, const SeenSample& s) {
   return s.silhouette ? kOutline : dihedralOf(model, s.group);
 }
 
-bool sameLine(const SeenSample& a, const SeenSample& b) {
-  if (a.group == b.group || std::abs(a.direction.dot(b.direction)) < kParallel) return false;
-  const Eigen::Vector2d apart = b.uv - a.uv;
-  const double along = a.direction.dot(apart);
-  const double across = a.direction.x() * apart.y() - a.direction.y() * apart.x();
-  return std::abs(across) < kOneLine && std::abs(along) < kBeside;
+// How far one sample lies from another along that one's line and across it [px].
+struct Offset {
+  double along, across;
+};
+// Nothing between samples of one feature, and of lines that run in other directions.
+std::optional<Offset> offsetOfParallels(const SeenSample& from, const SeenSample& to) {
+  if (from.group == to.group || std::abs(from.direction.dot(to.direction)) < kParallel) return std::nullopt;
+  const Eigen::Vector2d apart = to.uv - from.uv;
+  return Offset{from.direction.dot(apart), from.normal().dot(apart)};
 }
 
 // Samples in the order of their features: the most telling first.
@@ -47,26 +52,32 @@ std::vector<int> byStrength(const ObjectModel& model, const std::vector<SeenSamp
   return order;
 }
 
-// The samples that are kept, found by the cell of kBeside px that they lie in. Cells share chains, which
-// costs a comparison now and then and makes the table small, whatever the image's size.
-class KeptSamples {
+// Samples found by the cell of kBeside px that they lie in. Cells share chains, which costs a comparison now
+// and then and makes the table small, whatever the image's size.
+class SampleGrid {
  public:
-  explicit KeptSamples(const std::vector<SeenSample>& contour)
+  explicit SampleGrid(const std::vector<SeenSample>& contour)
       : contour_(contour), first_(kChains, -1), next_(contour.size(), -1) {}
 
-  // Keeps a sample unless a kept one is the same line.
-  bool keep(int i) {
-    const SeenSample& s = contour_[size_t(i)];
-    const int u = int(std::floor(s.uv.x() / kBeside)), v = int(std::floor(s.uv.y() / kBeside));
-    for (int dv = -1; dv <= 1; ++dv)
-      for (int du = -1; du <= 1; ++du)
-        for (int k = first_[chain(u + du, v + dv)]; k >= 0; k = next_[size_t(k)])
-          if (sameLine(contour_[size_t(k)], s)) return false;
-
-    int& first = first_[chain(u, v)];
+  void add(int i) {
+    const Eigen::Vector2i cell = cellOf(i);
+    int& first = first_[chain(cell.x(), cell.y())];
     next_[size_t(i)] = first;
     first = i;
-    return true;
+  }
+
+  // Whether meets(offset) holds for a parallel sample not much farther than so many pixels.
+  template <class Meets>
+  bool anyParallel(int i, double within, const Meets& meets) const {
+    const Eigen::Vector2i cell = cellOf(i);
+    const int reach = int(std::ceil(within / kBeside));
+    for (int dv = -reach; dv <= reach; ++dv)
+      for (int du = -reach; du <= reach; ++du)
+        for (int k = first_[chain(cell.x() + du, cell.y() + dv)]; k >= 0; k = next_[size_t(k)]) {
+          const std::optional<Offset> offset = offsetOfParallels(contour_[size_t(k)], contour_[size_t(i)]);
+          if (offset && meets(*offset)) return true;
+        }
+    return false;
   }
 
  private:
@@ -74,10 +85,34 @@ class KeptSamples {
   static size_t chain(int u, int v) {
     return (uint32_t(u) * 73856093u ^ uint32_t(v) * 19349663u) & (kChains - 1);
   }
+  Eigen::Vector2i cellOf(int i) const {
+    const Eigen::Vector2d& uv = contour_[size_t(i)].uv;
+    return {int(std::floor(uv.x() / kBeside)), int(std::floor(uv.y() / kBeside))};
+  }
 
   const std::vector<SeenSample>& contour_;
   std::vector<int> first_, next_;
 };
+
+bool isOneLine(const Offset& offset) {
+  return std::abs(offset.across) < kOneLine && std::abs(offset.along) < kBeside;
+}
+
+// The nearest and the farthest line on one side.
+struct LinesBeside {
+  double nearest = kCrowd, farthest = 0;  // [px]
+
+  void add(double distance) {
+    nearest = std::min(nearest, distance);
+    farthest = std::max(farthest, distance);
+  }
+  bool areTwo() const { return farthest - nearest >= kOneLine; }
+};
+
+bool isCircle(const ObjectModel& model, int group) {
+  const int circle = group - int(model.edges.size());
+  return circle >= 0 && circle < int(model.circles.size());
+}
 
 }  // namespace
 
@@ -89,10 +124,13 @@ double dihedralOf(const ObjectModel& model, int group) {
 }
 
 std::vector<size_t> resolvedSamples(const ObjectModel& model, const std::vector<SeenSample>& contour) {
-  KeptSamples kept(contour);
+  SampleGrid kept(contour);
   std::vector<size_t> resolved;
-  for (int i : byStrength(model, contour))
-    if (kept.keep(i)) resolved.push_back(size_t(i));
+  for (int i : byStrength(model, contour)) {
+    if (kept.anyParallel(i, kBeside, isOneLine)) continue;
+    kept.add(i);
+    resolved.push_back(size_t(i));
+  }
   std::sort(resolved.begin(), resolved.end());
   return resolved;
 }
@@ -101,6 +139,25 @@ std::vector<SeenSample> resolvedContour(const ObjectModel& model, const std::vec
   std::vector<SeenSample> resolved;
   for (size_t i : resolvedSamples(model, contour)) resolved.push_back(contour[i]);
   return resolved;
+}
+
+std::vector<char> crowdedRings(const ObjectModel& model, const std::vector<SeenSample>& contour) {
+  SampleGrid all(contour);
+  for (size_t i = 0; i < contour.size(); ++i) all.add(int(i));
+
+  const auto isCrowded = [&](int i) {
+    LinesBeside left, right;
+    return all.anyParallel(i, kCrowd, [&](const Offset& offset) {
+      const double distance = std::abs(offset.across);
+      if (std::abs(offset.along) < kBeside && distance < kCrowd)
+        (offset.across < 0 ? left : right).add(distance);
+      return left.areTwo() && right.areTwo();
+    });
+  };
+  std::vector<char> flags;
+  for (size_t i = 0; i < contour.size(); ++i)
+    flags.push_back(isCircle(model, contour[i].group) && isCrowded(int(i)));
+  return flags;
 }
 
 }  // namespace monocular_eye_hand

@@ -17,4 +17,8 @@ std::vector<size_t> resolvedSamples(const ObjectModel& model, const std::vector<
 /// The same as a contour.
 std::vector<SeenSample> resolvedContour(const ObjectModel& model, const std::vector<SeenSample>& contour);
 
+/// A flag per sample: it belongs to a circle between others, as a ring of a thread, with two lines and more
+/// on either side within 10 px. The light decides whether an image shows such rings or none of them.
+std::vector<char> crowdedRings(const ObjectModel& model, const std::vector<SeenSample>& contour);
+
 }  // namespace monocular_eye_hand

@@ -22,21 +22,37 @@ bool hidden(const Candidate& candidate, const Camera& camera, const Eigen::Vecto
                      [&](const Occluder& occluder) { return occluder.hides(camera, uv, distance); });
 }
 
-void matchSamples(const SearchImage& context, Candidate* candidate) {
+void findEdges(const SearchImage& image, std::vector<SeenSample>* contour) {
+  for (SeenSample& s : *contour)
+    if (s.inside) s.edge_point = image.raster.find(s.uv, s.normal(), kHitRange);
+}
+
+// Of the rings of a thread count those that the image shows: that it does not show the others says nothing.
+std::vector<SeenSample> withoutUnseenRings(const ObjectModel& model, const std::vector<SeenSample>& contour) {
+  const std::vector<char> crowded = crowdedRings(model, contour);
+  std::vector<SeenSample> counted;
+  for (size_t i = 0; i < contour.size(); ++i)
+    if (!crowded[i] || !contour[i].inside || contour[i].edge_point >= 0) counted.push_back(contour[i]);
+  return counted;
+}
+
+void hideBehindOccluders(const Camera& camera, Candidate* candidate) {
   for (SeenSample& s : candidate->contour) {
-    if (!s.inside) continue;
-    s.edge_point = context.raster.find(s.uv, s.normal(), kHitRange);
-    if (s.edge_point >= 0) {
-      candidate->claimed.push_back(s.edge_point);
-      continue;
-    }
+    if (!s.inside || s.edge_point >= 0) continue;
     const double distance = (candidate->pose.camera_from_object * s.p_in_object).norm();
-    s.hidden = hidden(*candidate, context.camera, s.uv, distance);
+    s.hidden = hidden(*candidate, camera, s.uv, distance);
     s.inside = !s.hidden;
   }
-  std::sort(candidate->claimed.begin(), candidate->claimed.end());
-  candidate->claimed.erase(std::unique(candidate->claimed.begin(), candidate->claimed.end()),
-                           candidate->claimed.end());
+}
+
+// Edge points that answer the contour.
+std::vector<int> claimedBy(const std::vector<SeenSample>& contour) {
+  std::vector<int> claimed;
+  for (const SeenSample& s : contour)
+    if (s.edge_point >= 0) claimed.push_back(s.edge_point);
+  std::sort(claimed.begin(), claimed.end());
+  claimed.erase(std::unique(claimed.begin(), claimed.end()), claimed.end());
+  return claimed;
 }
 
 // What of one feature was looked at.
@@ -132,13 +148,15 @@ void boundingBox(const SearchImage& context, Candidate* candidate) {
 }  // namespace
 
 void drawContour(const SearchModel& model, const SearchImage& image, Candidate* candidate) {
-  candidate->claimed.clear();
   candidate->covered.clear();
   candidate->terms = EvidenceTerms();
-  candidate->contour = resolvedContour(
+  std::vector<SeenSample> drawn = resolvedContour(
       model.model(),
       projectContour(model.model(), candidate->pose.camera_from_object, image.camera, image.domain, kStep));
-  matchSamples(image, candidate);
+  findEdges(image, &drawn);
+  candidate->contour = withoutUnseenRings(model.model(), drawn);
+  candidate->claimed = claimedBy(candidate->contour);
+  hideBehindOccluders(image.camera, candidate);
   contourTerms(image, candidate);
   boundingBox(image, candidate);
 }

@@ -50,5 +50,37 @@ TEST(ResolvedContour, keeps_the_outline) {
   EXPECT_EQ(outline(plate.resolved), outline(plate.drawn));
 }
 
+// Lines of different features, so many pixels apart.
+std::vector<SeenSample> lines(int count, double apart) {
+  std::vector<SeenSample> contour;
+  for (int line = 0; line < count; ++line)
+    for (int k = 0; k < 20; ++k) {
+      SeenSample s;
+      s.uv = {100 + 4.0 * k, 100 + apart * line};
+      s.direction = {1, 0};
+      s.group = line;
+      contour.push_back(s);
+    }
+  return contour;
+}
+
+TEST(CrowdedRings, are_the_inner_ones_of_many) {
+  ObjectModel rings;
+  rings.circles.resize(7);
+  const std::vector<SeenSample> contour = lines(7, 4);
+  const std::vector<char> crowded = crowdedRings(rings, contour);
+  for (size_t i = 0; i < contour.size(); ++i)
+    EXPECT_EQ(crowded[i] != 0, contour[i].group >= 2 && contour[i].group <= 4) << contour[i].group;
+}
+
+TEST(CrowdedRings, are_no_few_rings_nor_rings_far_apart_nor_straight_edges) {
+  ObjectModel rings, edges;
+  rings.circles.resize(9);
+  edges.edges.resize(9);
+  for (const std::vector<SeenSample>& contour : {lines(4, 4), lines(7, 6), lines(3, 2), lines(9, 20)})
+    for (char flag : crowdedRings(rings, contour)) EXPECT_FALSE(flag);
+  for (char flag : crowdedRings(edges, lines(7, 4))) EXPECT_FALSE(flag);
+}
+
 }  // namespace
 }  // namespace monocular_eye_hand
