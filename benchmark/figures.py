@@ -131,6 +131,21 @@ class Bench:
             raise CannotMeasure(f"{path} does not exist; MONOCULAR_EYE_HAND_DATA names another folder")
         return path
 
+    def run(self, program, *arguments):
+        """What one of the built programs prints."""
+        print(" ", program, *arguments[:4], file=sys.stderr, flush=True)
+        done = subprocess.run([self.program(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True, check=False)
+        if done.returncode:
+            raise CannotMeasure(f"{program} ended with code {done.returncode}: {done.stderr.strip().splitlines()[-1:]}")
+        return done.stdout
+
+    def render(self, folder, objects, level, count, *options, scene=1):
+        """A scene of random images of the objects in a BOP data set, unless it is there already."""
+        if not (folder / "dev" / f"{scene:06d}" / "scene_gt.json").exists():
+            self.run("render_scene", "--objects", objects, "--bop", folder, "--split", "dev", "--scene", scene, "--level", level,
+                     "--count", count, "--seed", scene, *options)
+
     @functools.lru_cache(maxsize=None)  # rows that read the same run share it
     def evaluate(self, dataset, split, *options):
         """{scene: Scene} of the recogniser with default options over a split; leaves CSVs and log in `out`."""

@@ -65,6 +65,46 @@ def turned(profile, around):
     return [t for t in grid(rows) if len(set(t)) == 3]
 
 
+def rounded_box(size, radius, steps=6):
+    """A box whose edges are all filleted."""
+    half = [side / 2 for side in size]
+
+    def ticks(end):
+        low = [-end + radius * k / steps for k in range(steps + 1)]
+        return low + [-x for x in reversed(low)]
+
+    def rounded(point):
+        inner = [min(max(x, radius - end), end - radius) for x, end in zip(point, half)]
+        away = [x - y for x, y in zip(point, inner)]
+        length = math.hypot(*away)
+        return tuple(y + radius * d / length for y, d in zip(inner, away))
+
+    triangles = []
+    for axis in range(3):
+        across, up = (axis + 1) % 3, (axis + 2) % 3
+        for sign in (-1, 1):
+            rows = []
+            for u in ticks(half[across]):
+                row = []
+                for v in ticks(half[up]):
+                    point = [0.0, 0.0, 0.0]
+                    point[axis], point[across], point[up] = sign * half[axis], u, v
+                    row.append(rounded(point))
+                rows.append(row)
+            triangles += [(a, b, c) if sign > 0 else (a, c, b) for a, b, c in grid(rows)]
+    return [t for t in triangles if len(set(t)) == 3]
+
+
+def screw(diameter=8.0, pitch=1.25, length=45.0, head=7.5, around=48):
+    """A cheese-head screw whose thread is rings of crest and root."""
+    outer, inner = diameter / 2, diameter / 2 - 0.54 * pitch
+    profile = [(0.0, 0.0)]
+    for k in range(int(length / pitch)):
+        profile += [(r, pitch * (k + at)) for r, at in ((inner, 0.0), (outer, 0.4), (outer, 0.6), (inner, 0.96))]
+    profile += [(outer, length), (0.9 * diameter, length), (0.9 * diameter, length + head), (0.0, length + head)]
+    return turned(profile, around)
+
+
 def bolt(diameter=12.0, pitch=1.75, length=60.0, head=7.5, across_flats=18.0, around=48):
     """A hexagon bolt whose thread is modelled: a ridge that climbs one pitch a turn."""
     outer, inner = diameter / 2, diameter / 2 - 0.6134 * pitch

@@ -6,8 +6,6 @@ import json
 import os
 import pathlib
 import statistics
-import subprocess
-import sys
 
 import meshes
 from figures import CannotMeasure, Figure, corpus_folders, share
@@ -80,10 +78,7 @@ def sizes(bench, curves):
     for size in SIZES:
         folder = bench.out / f"scaling_{size}"
         for scene, level in enumerate(("easy", "medium", "hard"), 1):
-            if not (folder / "dev" / f"{scene:06d}" / "scene_gt.json").exists():
-                run([bench.program("render_scene"), "--objects", bench.root / "config" / "objects.yaml", "--bop", folder,
-                     "--split", "dev", "--scene", str(scene), "--level", level, "--count", str(IMAGES), "--seed", str(scene),
-                     "--sizes", f"{size}:1"])
+            bench.render(folder, bench.root / "config" / "objects.yaml", level, IMAGES, "--sizes", f"{size}:1", scene=scene)
         scenes = bench.evaluate_folder(folder, "dev").values()
         times[size] = statistics.mean(scene.median_seconds for scene in scenes)
         recall[size] = statistics.mean(scene.average_recall for scene in scenes)
@@ -104,8 +99,8 @@ def pixels(size):
 def cad(bench, curves):
     """One model at a time in the same images."""
     folder = bench.out / "scaling_cad"
-    run([bench.program("render_scene"), "--objects", bench.root / "config" / "objects.yaml", "--out", folder, "--level", "medium",
-         "--count", str(2 * IMAGES)])
+    bench.run("render_scene", "--objects", bench.root / "config" / "objects.yaml", "--out", folder, "--level", "medium",
+              "--count", 2 * IMAGES)
     bridge = bench.root / "models" / "bridge.ply"
     block = bench.data("real_parts") / "aluminium_block" / "models" / "obj_000001.ply"
     parts = {"bridge": bridge, "aluminium block": block, "housing": meshes.plate(10, 4), "bolt": meshes.bolt(),
@@ -117,20 +112,11 @@ def cad(bench, curves):
             path = folder / f"{name}.stl"
             meshes.write_stl(path, part)
         (folder / "objects.yaml").write_text(f"objects: [{{name: part, mesh: {path.resolve()}, unit: mm}}]\n", encoding="utf-8")
-        report = json.loads(run([bench.program("recognize"), "--objects", folder / "objects.yaml", "--camera", folder / "camera.yaml",
-                                 "--set", "threads=1", "--json", "-", *sorted(folder.glob("*.png"))]))
+        report = json.loads(bench.run("recognize", "--objects", folder / "objects.yaml", "--camera", folder / "camera.yaml",
+                                      "--set", "threads=1", "--json", "-", *sorted(folder.glob("*.png"))))
         seconds[name] = statistics.median(image["seconds"] for image in report["images"])
         conditions[name] = f"{seconds[name]:.3f} s, median of {len(report['images'])} images; one model, one thread"
     for name in parts:
         if name != "bridge":
             yield Figure(f"time for {name} over bridge", seconds[name] / seconds["bridge"], "times", f"<= {OTHER_CAD}",
                          conditions=conditions[name])
-
-
-def run(command):
-    """What a program prints."""
-    print(" ", pathlib.Path(command[0]).name, *command[1:5], file=sys.stderr, flush=True)
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
-    if done.returncode:
-        raise CannotMeasure(f"{command[0]} ended with code {done.returncode}: {done.stderr.strip().splitlines()[-1:]}")
-    return done.stdout
