@@ -194,11 +194,13 @@ std::vector<Polyline> silhouetteLines(const FreeformPatch& patch, const Eigen::V
     int edge[2];
     Eigen::Vector3d point[2], normal[2];
   };
+
   std::vector<double> side(patch.points.size());
   for (size_t k = 0; k < patch.points.size(); ++k) {
     side[k] = patch.normals[k].dot(eye - patch.points[k]);
     if (side[k] == 0) side[k] = 1e-300;
   }
+
   std::vector<Segment> segments;
   std::vector<std::pair<int, int>> at_edge;  // (edge, segment)
   int points_crossed = 0;
@@ -226,6 +228,7 @@ std::vector<Polyline> silhouetteLines(const FreeformPatch& patch, const Eigen::V
     at_edge.emplace_back(s.edge[1], int(segments.size()));
     segments.push_back(s);
   }
+
   std::sort(at_edge.begin(), at_edge.end());
   std::vector<char> used(segments.size(), 0);
   const auto next = [&](int edge) {
@@ -239,6 +242,7 @@ std::vector<Polyline> silhouetteLines(const FreeformPatch& patch, const Eigen::V
     const auto it = std::lower_bound(at_edge.begin(), at_edge.end(), std::make_pair(edge, -1));
     return (it + 1 != at_edge.end() && (it + 1)->first == edge) ? 2 : 1;
   };
+
   std::vector<Polyline> lines;
   const auto walk = [&](int first, int from) {
     Polyline line;
@@ -256,6 +260,7 @@ std::vector<Polyline> silhouetteLines(const FreeformPatch& patch, const Eigen::V
     }
     lines.push_back(std::move(line));
   };
+
   for (size_t s = 0; s < segments.size(); ++s) {
     for (int end = 0; end < 2; ++end) {
       if (!used[s] && degree(segments[s].edge[end]) == 1) walk(int(s), end);

@@ -27,8 +27,9 @@ struct CylinderWall {
   void cover(double angle, std::vector<Interval>* out) const;
 };
 
-/// A free-form surface with normals at its vertices: its silhouette runs where normal . view ray crosses zero.
-/// Where it comes to a point, as at the tip of a cone, every edge that ends there has a normal of its own.
+/// A free-form surface with normals at its vertices: its silhouette runs where normal . view ray crosses
+/// zero. Where it comes to a point, as at the tip of a cone, every edge that ends there has a normal of its
+/// own.
 struct FreeformPatch {
   int group = 0;
   double start = 0;
