@@ -166,6 +166,7 @@ bool unpack(const std::string& bytes, CompiledParts* parts) {
   int8_t has_axis = 0, sphere = 0;
   int32_t directions = 0;
   SymmetryAxis axis;
+
   r(&s.discrete);
   r(&has_axis);
   r(&axis.point);
@@ -177,6 +178,7 @@ bool unpack(const std::string& bytes, CompiledParts* parts) {
   r(&directions);
   r(&parts->views.views);
   r(&parts->views.characteristic);
+
   if (has_axis) s.axis = axis;
   s.sphere = sphere != 0;
   parts->views.directions = directions;
@@ -237,6 +239,7 @@ bool writeCache(const std::string& folder, const std::string& name, const Compil
   const uint32_t format = kFormat;
   const uint64_t checksum = hash(payload);
   const std::string temporary = path + "." + std::to_string(getpid()) + ".part";
+
   {
     std::ofstream out(temporary, std::ios::binary);
     out.write(kMagic, 8);
@@ -249,6 +252,7 @@ bool writeCache(const std::string& folder, const std::string& name, const Compil
       return false;
     }
   }
+
   if (std::rename(temporary.c_str(), path.c_str()) == 0) return true;
   std::remove(temporary.c_str());
   return false;

@@ -36,6 +36,7 @@ void ContourIndex::addWall(const ObjectModel& model, int surface) {
   wall.y = s.axis.cross(wall.x);
   wall.radius = s.radius;
   wall.start = start;
+
   for (const int t : s.triangles) {
     CylinderWall::Triangle out;
     for (int c = 0; c < 3; ++c) {
@@ -48,6 +49,7 @@ void ContourIndex::addWall(const ObjectModel& model, int surface) {
     out.high = std::max({out.angle[0], out.angle[1], out.angle[2]});
     wall.triangles.push_back(out);
   }
+
   walls.push_back(std::move(wall));
 }
 
@@ -74,6 +76,7 @@ void CylinderWall::cover(double angle, std::vector<Interval>* out) const {
     }
     if (high > low) out->push_back({low, high});
   }
+
   std::sort(out->begin(), out->end(), [](const Interval& p, const Interval& q) { return p.low < q.low; });
   size_t kept = 0;
   const double gap = 1e-6 * radius;

@@ -142,6 +142,9 @@ std::vector<SeenSample> resolvedContour(const ObjectModel& model, const std::vec
 }
 
 std::vector<char> crowdedRings(const ObjectModel& model, const std::vector<SeenSample>& contour) {
+  std::vector<char> flags(contour.size(), 0);
+  if (model.circles.empty()) return flags;
+
   SampleGrid all(contour);
   for (size_t i = 0; i < contour.size(); ++i) all.add(int(i));
 
@@ -154,9 +157,8 @@ std::vector<char> crowdedRings(const ObjectModel& model, const std::vector<SeenS
       return left.areTwo() && right.areTwo();
     });
   };
-  std::vector<char> flags;
   for (size_t i = 0; i < contour.size(); ++i)
-    flags.push_back(isCircle(model, contour[i].group) && isCrowded(int(i)));
+    flags[i] = isCircle(model, contour[i].group) && isCrowded(int(i));
   return flags;
 }
 
