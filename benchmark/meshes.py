@@ -15,6 +15,17 @@ def write_stl(path, triangles):
     return len(triangles)
 
 
+def objects_file(folder, name, part):
+    """objects.yaml in the folder, of one object: a mesh file, or triangles, which become NAME.stl there."""
+    path = part
+    if isinstance(part, list):
+        path = folder / f"{name}.stl"
+        write_stl(path, part)
+    objects = folder / "objects.yaml"
+    objects.write_text(f"objects: [{{name: part, mesh: {path.resolve()}, unit: mm}}]\n", encoding="utf-8")
+    return objects
+
+
 def grid(rows):
     """The triangles between rows of points, each row as long as the others."""
     triangles = []

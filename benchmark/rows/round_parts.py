@@ -14,12 +14,7 @@ def figures(bench):
     for name, mesh in parts.items():
         folder = bench.out / f"round_{name.replace(' ', '_')}"
         folder.mkdir(exist_ok=True)
-        if isinstance(mesh, list):
-            path = folder / "part.stl"
-            meshes.write_stl(path, mesh)
-            mesh = path
-        objects = folder / "objects.yaml"
-        objects.write_text(f"objects: [{{name: part, mesh: {mesh.resolve()}, unit: mm}}]\n", encoding="utf-8")
+        objects = meshes.objects_file(folder, "part", mesh)
         bench.render(folder, objects, "easy", IMAGES, "--sizes", f"{SIZE}:1", "--appearance", "plain")
         scene, = bench.evaluate_folder(folder, "dev").values()
         found, instances, right, estimates = scene.counts()

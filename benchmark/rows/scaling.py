@@ -107,12 +107,8 @@ def cad(bench, curves):
              "scan": meshes.scan()}
     seconds, conditions = {}, {}
     for name, part in parts.items():
-        path = part
-        if isinstance(part, list):
-            path = folder / f"{name}.stl"
-            meshes.write_stl(path, part)
-        (folder / "objects.yaml").write_text(f"objects: [{{name: part, mesh: {path.resolve()}, unit: mm}}]\n", encoding="utf-8")
-        report = json.loads(bench.run("recognize", "--objects", folder / "objects.yaml", "--camera", folder / "camera.yaml",
+        objects = meshes.objects_file(folder, name, part)
+        report = json.loads(bench.run("recognize", "--objects", objects, "--camera", folder / "camera.yaml",
                                       "--set", "threads=1", "--json", "-", *sorted(folder.glob("*.png"))))
         seconds[name] = statistics.median(image["seconds"] for image in report["images"])
         conditions[name] = f"{seconds[name]:.3f} s, median of {len(report['images'])} images; one model, one thread"
