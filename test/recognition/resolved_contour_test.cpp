@@ -56,6 +56,7 @@ std::vector<SeenSample> lines(int count, double apart) {
   for (int line = 0; line < count; ++line)
     for (int k = 0; k < 20; ++k) {
       SeenSample s;
+      s.p_in_object = {4.0 * k, apart * line, 0};
       s.uv = {100 + 4.0 * k, 100 + apart * line};
       s.direction = {1, 0};
       s.group = line;
