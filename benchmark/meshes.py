@@ -76,6 +76,25 @@ def turned(profile, around):
     return [t for t in grid(rows) if len(set(t)) == 3]
 
 
+def rounded(profile, radius, steps=6):
+    """A profile whose corners, but for the ends, are arcs of one radius."""
+    points = [profile[0]]
+    for before, corner, after in zip(profile, profile[1:], profile[2:]):
+        ways = []
+        for end in (before, after):
+            way = (end[0] - corner[0], end[1] - corner[1])
+            ways.append([w / math.hypot(*way) for w in way])
+        (ax, ay), (bx, by) = ways
+        half = math.acos(max(-1.0, min(1.0, ax * bx + ay * by))) / 2
+        to_middle = radius / math.sin(half) / math.hypot(ax + bx, ay + by)
+        centre = (corner[0] + to_middle * (ax + bx), corner[1] + to_middle * (ay + by))
+        first = math.atan2(corner[1] + radius / math.tan(half) * ay - centre[1], corner[0] + radius / math.tan(half) * ax - centre[0])
+        turn = math.copysign(math.pi - 2 * half, bx * ay - by * ax)
+        points += [(centre[0] + radius * math.cos(first + turn * k / steps), centre[1] + radius * math.sin(first + turn * k / steps))
+                   for k in range(steps + 1)]
+    return points + [profile[-1]]
+
+
 def rounded_box(size, radius, steps=6):
     """A box whose edges are all filleted."""
     half = [side / 2 for side in size]

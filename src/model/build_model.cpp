@@ -8,6 +8,8 @@
 #include "monocular_eye_hand/io/plain_number.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/model/ray_scene.h"
+#include "rounded_circles.h"
+#include "rounded_edges.h"
 #include "sharp_features.h"
 #include "symmetry.h"
 
@@ -73,6 +75,15 @@ void warnAboutMesh(const RepairedMesh& repaired, ObjectModel* model) {
   }
 }
 
+SharpFeatures findFeatures(const Mesh& mesh, const Topology& topology, const SurfaceSplit& split,
+                           double tolerance, double diameter) {
+  SharpFeatures features = findSharpFeatures(mesh, topology, split, tolerance);
+  addRoundedEdges(findRoundedEdges(mesh, topology, split, diameter), &features);
+  const std::vector<ModelCircle> rounded = findRoundedCircles(mesh, topology, split, diameter);
+  features.circles.insert(features.circles.end(), rounded.begin(), rounded.end());
+  return features;
+}
+
 }  // namespace
 
 void ModelOptions::check() const {
@@ -105,7 +116,7 @@ ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOpt
   const Topology topology = buildTopology(model.mesh);
   refuseScan(name, topology, options.sharp_angle);
   SurfaceSplit split = splitSurfaces(model.mesh, topology, options.sharp_angle, repaired.tolerance);
-  SharpFeatures features = findSharpFeatures(model.mesh, topology, split, repaired.tolerance);
+  SharpFeatures features = findFeatures(model.mesh, topology, split, repaired.tolerance, model.diameter);
   model.surfaces = std::move(split.surfaces);
   model.surface_of_triangle = std::move(split.surface_of_triangle);
   model.tessellation_error = split.tessellation_error;

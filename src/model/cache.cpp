@@ -15,7 +15,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr char kMagic[9] = "MEHCACHE";
-constexpr uint32_t kFormat = 4;  // raise when the layout or what fills it changes
+constexpr uint32_t kFormat = 5;  // raise when the layout or what fills it changes
 
 /// FNV-1a (Fowler, Noll, Vo), 64 bit.
 uint64_t hash(const std::string& bytes, uint64_t state = 0xcbf29ce484222325ull) {

@@ -78,6 +78,15 @@ class View {
     return c;
   }
 
+  /// Whether both surfaces that a fillet or a round joins face the eye; p: on its middle. Beside one that
+  /// turns away it has a silhouette, which is found with the surface's own.
+  bool facesBoth(const Eigen::Vector3d& p, const Eigen::Vector3d& n0, const Eigen::Vector3d& n1,
+                 double rounding, bool convex) const {
+    const double radius = convex ? rounding : -rounding;
+    const Eigen::Vector3d view = eye_ - (p - radius * (n0 + n1).normalized());
+    return n0.dot(view) > radius && n1.dot(view) > radius;
+  }
+
   bool visible(const Eigen::Vector3d& start) const { return !model_.rays->occluded(start, eye_); }
 
   void push(const Eigen::Vector3d& p, const Eigen::Vector3d& t, int group, bool silhouette,
@@ -99,6 +108,8 @@ class View {
     const Crease c =
         judge(edge.p, t, edge.normal[0], edge.normal[1], edge.surface[1] < 0, edge.convex, edge.dihedral);
     if (!c.shown) return;
+    const bool rounded = edge.rounding > 0;
+    if (rounded && !facesBoth(edge.p, edge.normal[0], edge.normal[1], edge.rounding, edge.convex)) return;
     const Steps steps(length, options_.step);
     const Eigen::Vector3d away = std::min(index_.start, 0.25 * length) * c.away;
     for (int k = 0; k < steps.count; ++k) {
@@ -130,6 +141,7 @@ class View {
       const Crease c =
           judge(p, circle.left ? t : Eigen::Vector3d(-t), n0, n1, rim, circle.convex, circle.dihedral);
       if (!c.shown) continue;
+      if (circle.rounding > 0 && !facesBoth(p, n0, n1, circle.rounding, circle.convex)) continue;
       if (visible(p - shrink * radial + start * c.away)) {
         push(p, t, model_.groupOfCircle(index), c.silhouette, c.inside);
       }

@@ -117,23 +117,25 @@ class Splitter {
   }
 
   /// A strip of a sphere or torus also passes for a short cylinder. Where the wall runs on smoothly into
-  /// other curved facets it must be longer than a few facets are wide, longer than a strip of a sphere can be
-  /// within the tolerance of the fit (0.13 radius), and divided along and across its axis.
+  /// other curved facets it must be divided along and across its axis, and be longer than a few facets: than
+  /// those that it runs on into at its ends, as a wall into its rounded rim; where it runs on at its sides,
+  /// than its own facets are wide and than a strip of a sphere can be within the tolerance of the fit (0.13
+  /// radius).
   bool hasCleanEnds(const std::vector<int>& members, const CylinderFit& c) const {
     std::vector<int> sorted = members;
     std::sort(sorted.begin(), sorted.end());
     bool runs_on = false, aligned = true;
-    double widest = 0, low = 1e300, high = -1e300;
+    double widest = 0, beyond = 0, low = 1e300, high = -1e300;
     for (const int f : members) {
       for (const FacetLink& link : facet(f).links) {
-        const bool inside = std::binary_search(sorted.begin(), sorted.end(), link.facet);
-        if (!inside) {
+        const MeshEdge& e = topology_.edges[link.edge];
+        const double along = std::abs(c.axis.dot((mesh_.vertices[e.b] - mesh_.vertices[e.a]).normalized()));
+        if (!std::binary_search(sorted.begin(), sorted.end(), link.facet)) {
           runs_on = runs_on || isFree(link.facet);
+          if (along < 0.5 && !facet(link.facet).plane) beyond = std::max(beyond, link.other_width);
           continue;
         }
         widest = std::max(widest, link.width);
-        const MeshEdge& e = topology_.edges[link.edge];
-        const double along = std::abs(c.axis.dot((mesh_.vertices[e.b] - mesh_.vertices[e.a]).normalized()));
         aligned = aligned && (along > 0.995 || along < 0.1);
       }
       for (const int v : facet(f).vertices) {
@@ -141,6 +143,7 @@ class Splitter {
         high = std::max(high, c.axis.dot(mesh_.vertices[v]));
       }
     }
+    if (beyond > 0) return aligned && high - low > 3 * beyond;
     return !runs_on || (aligned && high - low > std::max(3 * widest, 0.15 * c.radius));
   }
 

@@ -28,6 +28,18 @@ FreeAxis freeAxis(const ObjectModel& model) {
   return axis;
 }
 
+// An image shows the edge somewhere on the round, depending on the light: as likely anywhere on its chord
+// [m].
+double roundingSigma(double rounding, double dihedral) {
+  return rounding * std::sin(0.5 * dihedral) / std::sqrt(3.0);
+}
+double roundingSigma(const ObjectModel& model, int group) {
+  const size_t edge = size_t(group), circle = edge - model.edges.size();
+  if (edge < model.edges.size()) return roundingSigma(model.edges[edge].rounding, model.edges[edge].dihedral);
+  if (circle >= model.circles.size()) return 0;
+  return roundingSigma(model.circles[circle].rounding, model.circles[circle].dihedral);
+}
+
 bool plausibleStep(const RefinedPose& refined) {
   return refined.well_posed && refined.camera_from_object.isFinite() &&
          refined.camera_from_object.translation.z() > 0;
@@ -52,7 +64,8 @@ std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchIma
     const EdgePoint& point = image.raster.point(found);
     FeatureSample sample;
     sample.line = {s.p_in_object, point.uv.cast<double>(), normal,
-                   std::max({kMinSigma, double(point.sigma), range / 3})};
+                   std::hypot(s.rounding, std::max({kMinSigma, double(point.sigma), range / 3}))};
+    sample.displacement = s.rounding;
     sample.feature = s.group;
     const double across = s.direction.dot(point.normal.cast<double>());
     sample.look = {point.blur, std::asin(std::clamp(across, -1.0, 1.0))};
@@ -103,6 +116,7 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
     if (!(length > 1e-9)) continue;  // seen end-on
     out.direction = direction / length;
     out.group = s.group;
+    out.rounding = roundingSigma(model, s.group) * focalLength(camera) / p.z();
     out.silhouette = s.silhouette;
     if (s.inner_side != 0) {
       const Eigen::Vector3d across = s.tangent.cross(s.p - object_from_camera.translation);

@@ -19,6 +19,7 @@ namespace monocular_eye_hand {
 struct SeenSample {
   Eigen::Vector3d p_in_object;
   Eigen::Vector2d uv, direction;  ///< rectified pixels; direction: unit
+  double rounding = 0;  ///< standard deviation of a rounded edge's place across itself, 0: sharp [px]
   int group = 0;
   int edge_point = -1;  ///< FeatureSet::points, -1: none within range
   bool inside = false;  ///< inside the image, and not hidden

@@ -37,6 +37,7 @@ struct Sample {
   double residual;  // [px]
   Vector6d derivative;
   EdgeLook look;
+  double displacement;
 };
 
 // The samples of one feature: residual + derivative^T motion = basis^T common + independent error, where
@@ -134,6 +135,7 @@ SamplesByFeature usableSamples(const Rigid3& pose, const Camera& camera,
     Sample sample;
     sample.uv = given.line.uv;
     sample.look = given.look;
+    sample.displacement = given.displacement;
     sample.residual = lineResidual(pose, camera, given.line, &sample.derivative);
     if (std::abs(sample.residual) < kOutlier && sample.derivative.allFinite())
       usable[given.feature].push_back(sample);
@@ -155,7 +157,8 @@ std::vector<Feature> featuresOf(const SamplesByFeature& samples) {
   const EdgeProfiles profiles(all);
   std::vector<Feature> features;
   for (const auto& [number, of_feature] : samples)
-    features.emplace_back(of_feature, profiles.expectedOffset(looksOf(of_feature)));
+    features.emplace_back(of_feature, std::hypot(of_feature.front().displacement,
+                                                 profiles.expectedOffset(looksOf(of_feature))));
   return features;
 }
 

@@ -11,6 +11,7 @@ struct FeatureSample {
   LineMatch line;   ///< its sigma is not looked at
   int feature = 0;  ///< samples with the same number belong to one model feature
   EdgeLook look;
+  double displacement = 0;  ///< standard deviation of its edge's place, beside what its look tells [px]
 };
 
 /// Refines a pose on contour samples whose errors are not independent: what displaces an edge in the image (a

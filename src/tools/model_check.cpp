@@ -86,6 +86,12 @@ int fullCircles(const ObjectModel& m) {
       std::count_if(m.circles.begin(), m.circles.end(), [](const ModelCircle& c) { return c.full(); }));
 }
 
+template <class Feature>
+int rounded(const std::vector<Feature>& features) {
+  return int(
+      std::count_if(features.begin(), features.end(), [](const Feature& f) { return f.rounding > 0; }));
+}
+
 std::vector<std::string> describe(const KnownObject& object) {
   const ObjectModel& m = object.model;
   const Eigen::Vector3d size = 1000 * m.bounds.sizes(), low = 1000 * m.bounds.min();
@@ -104,6 +110,9 @@ std::vector<std::string> describe(const KnownObject& object) {
                   std::to_string(m.corners.size()) + " corners");
   lines.push_back("  circles     " + std::to_string(full) + " full, " +
                   std::to_string(m.circles.size() - full) + " arcs");
+  if (rounded(m.edges) + rounded(m.circles) > 0)
+    lines.push_back("  of these    " + std::to_string(rounded(m.edges)) + " edges and " +
+                    std::to_string(rounded(m.circles)) + " circles or arcs are rounded");
   lines.push_back("  symmetry    " + symmetryText(m.symmetries));
   lines.push_back("  views       " + std::to_string(object.views.directions) + " directions x " +
                   std::to_string(object.views.distances.size()) + " distances, " +
@@ -129,6 +138,8 @@ nlohmann::json asJson(const KnownObject& object) {
   j["corners"] = m.corners.size();
   j["circles"] = fullCircles(m);
   j["arcs"] = m.circles.size() - fullCircles(m);
+  j["rounded_edges"] = rounded(m.edges);
+  j["rounded_circles"] = rounded(m.circles);
   j["equal_poses"] = m.symmetries.discrete.size();
   for (const Rigid3& s : m.symmetries.discrete)
     j["equal_pose_transforms"].push_back(

@@ -181,6 +181,77 @@ inline Mesh cone(int n, double low_radius, double high_radius, double height) {
   return revolved({{0, 0}, {low_radius, 0}, {high_radius, height}, {0, height}}, n);
 }
 
+/// Points of an arc about `centre` from one angle to another [rad], `steps` + 1 of them.
+inline Outline arc(const Eigen::Vector2d& centre, double radius, double from, double to, int steps = 6) {
+  Outline o;
+  for (int k = 0; k <= steps; ++k) {
+    const double a = from + (to - from) * k / steps;
+    o.push_back(centre + radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
+  }
+  return o;
+}
+inline Outline joined(const std::vector<Outline>& pieces) {
+  Outline all;
+  for (const Outline& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
+  return all;
+}
+/// Rectangular block with rounded vertical edges whose top's rim is rounded, too.
+inline Mesh blockWithRoundedTop(double x, double y, double height, double corner, double rim, int steps = 6) {
+  Mesh m;
+  Outline below = roundedRectangle(8, x, y, corner);
+  cap(&m, below, 0, false);
+  wall(&m, below, 0, height - rim);
+  for (int k = 1; k <= steps; ++k) {
+    const double low = kPi / 2 * (k - 1) / steps, high = kPi / 2 * k / steps;
+    const double inset = rim * (1 - std::cos(high));
+    const Outline above = roundedRectangle(8, x - 2 * inset, y - 2 * inset, corner - inset);
+    const double z0 = height - rim * (1 - std::sin(low)), z1 = height - rim * (1 - std::sin(high));
+    for (size_t i = 0; i < below.size(); ++i) {
+      const size_t n = (i + 1) % below.size();
+      quad(&m, at(below[i], z0), at(below[n], z0), at(above[n], z1), at(above[i], z1));
+    }
+    below = above;
+  }
+  cap(&m, below, height, true);
+  return m;
+}
+/// Box whose edges are all rounded.
+inline Mesh roundedBox(double x, double y, double z, double radius, int steps = 6) {
+  const Point half = 0.5 * Point(x, y, z);
+  const auto ticks = [&](double end) {
+    std::vector<double> values;
+    for (int k = 0; k <= steps; ++k) values.push_back(-end + radius * k / steps);
+    for (int k = steps; k >= 0; --k) values.push_back(end - radius * k / steps);
+    return values;
+  };
+  const auto pulledIn = [&](const Point& p) {
+    const Point flat = half - Point::Constant(radius);
+    const Point inner = p.cwiseMin(flat).cwiseMax(-flat);
+    return Point(inner + radius * (p - inner).normalized());
+  };
+
+  Mesh m;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int across = (axis + 1) % 3, up = (axis + 2) % 3;
+    const std::vector<double> u = ticks(half[across]), v = ticks(half[up]);
+    for (const double side : {-1.0, 1.0}) {
+      const auto corner = [&](size_t i, size_t k) {
+        Point p;
+        p[axis] = side * half[axis];
+        p[across] = u[i];
+        p[up] = v[k];
+        return pulledIn(p);
+      };
+      for (size_t i = 0; i + 1 < u.size(); ++i)
+        for (size_t k = 0; k + 1 < v.size(); ++k) {
+          if (side > 0) quad(&m, corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1));
+          if (side < 0) quad(&m, corner(i, k), corner(i, k + 1), corner(i + 1, k + 1), corner(i + 1, k));
+        }
+    }
+  }
+  return m;
+}
+
 inline std::string shippedModel(const std::string& name) {
   return std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/models/" + name + ".ply";
 }

@@ -119,5 +119,26 @@ INSTANTIATE_TEST_SUITE_P(Golden, Alignment,
                          testing::Values("bridge", "grenade", "frame", "flange", "bracket"),
                          [](const auto& info) { return std::string(info.param); });
 
+TEST(ProjectedContour, tells_how_far_a_rounded_edge_may_lie_from_its_middle) {
+  ObjectModel model = shippedModels().objects.at(0).model;
+  const Picture picture = shippedPicture("golden/" + model.name);
+  const Rigid3 pose = picture.truth.at(0).camera_from_object;
+  const RectDomain domain = withFeatures(picture.grey, picture.camera, {}).domain;
+  ASSERT_FALSE(model.edges.empty());
+  for (ModelEdge& edge : model.edges) edge.rounding = 1e-3;
+  int of_edges = 0;
+  for (const SeenSample& s : projectContour(model, pose, picture.camera, domain, 2)) {
+    if (s.group >= int(model.edges.size())) {
+      EXPECT_EQ(s.rounding, 0);
+      continue;
+    }
+    ++of_edges;
+    const double half_chord = 1e-3 * std::sin(model.edges[size_t(s.group)].dihedral / 2);
+    const double pixels_per_metre = picture.camera.fx / (pose * s.p_in_object).z();
+    EXPECT_NEAR(s.rounding, half_chord * pixels_per_metre / std::sqrt(3.0), 0.02 * s.rounding);
+  }
+  EXPECT_GT(of_edges, 20);
+}
+
 }  // namespace
 }  // namespace monocular_eye_hand

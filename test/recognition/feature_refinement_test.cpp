@@ -129,6 +129,15 @@ TEST(FeatureRefinement, an_edge_whose_profile_is_no_clean_step_counts_little) {
   }
 }
 
+TEST(FeatureRefinement, an_edge_that_may_be_displaced_counts_little) {
+  Contour sharp(20);
+  sharp.displace(0, 0.5);
+  Contour round = sharp;
+  for (int i = 0; i < 20; ++i) round.samples[size_t(i)].displacement = 2;
+  EXPECT_LT(distance(round.refined(truth()).camera_from_object, truth()),
+            0.5 * distance(sharp.refined(truth()).camera_from_object, truth()));
+}
+
 TEST(FeatureRefinement, disagreement_widens_the_covariance) {
   Contour contour(20);
   const Matrix6d agreeing = contour.refined(truth()).covariance;

@@ -32,9 +32,9 @@ struct Surface {
   bool convex = true;      ///< cylinder: boss (true) or hole (false)
 };
 
-/// A straight sharp edge between two surfaces (or the rim of an open mesh: surface[1] = -1). It runs so that,
-/// seen from outside, surface[0] lies on its left: normal[0] x (q - p) points into surface[0], (q - p) x
-/// normal[1] into surface[1].
+/// A straight edge between two surfaces, sharp or rounded (or the rim of an open mesh: surface[1] = -1). It
+/// runs so that, seen from outside, surface[0] lies on its left: normal[0] x (q - p) points into surface[0],
+/// (q - p) x normal[1] into surface[1].
 struct ModelEdge {
   Eigen::Vector3d p, q;
   std::array<int, 2> vertex{-1,
@@ -45,9 +45,10 @@ struct ModelEdge {
       Eigen::Vector3d::Zero()};  ///< outward normals of the two surfaces along the edge
   double dihedral = 0;           ///< angle between the normals [rad]
   bool convex = true;
+  double rounding = 0;  ///< radius of the fillet or round on whose middle p and q lie, 0: sharp [m]
 };
 
-/// A circle or arc recovered from a tessellated sharp edge.
+/// A circle or arc recovered from a tessellated edge.
 struct ModelCircle {
   Eigen::Vector3d centre,
       axis;                ///< axis: unit; towards the outside of the planar surface it bounds, if one does
@@ -59,8 +60,9 @@ struct ModelCircle {
   std::array<Eigen::Vector2d, 2> normal{Eigen::Vector2d(0, 1), Eigen::Vector2d(1, 0)};
   double dihedral = 0;  ///< angle between the two normals [rad]
   bool convex = true;
-  double segment = 0;  ///< largest angle one edge of the mesh covers [rad]
-  bool left = true;    ///< surface[0] lies on the left of the counter-clockwise tangent, seen from outside
+  double segment = 0;   ///< largest angle one edge of the mesh covers [rad]
+  bool left = true;     ///< surface[0] lies on the left of the counter-clockwise tangent, seen from outside
+  double rounding = 0;  ///< radius of the fillet or round on whose middle it lies, 0: sharp [m]
   double length() const { return radius * sweep; }
   bool full() const { return sweep > 6.28; }
 };
