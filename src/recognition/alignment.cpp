@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "monocular_eye_hand/model/contour.h"
-#include "recognition/bent_edges.h"
-#include "recognition/feature_refinement.h"
+#include "monocular_eye_hand/pose/bent_edges.h"
+#include "monocular_eye_hand/pose/feature_refinement.h"
 #include "recognition/focal_length.h"
 #include "recognition/resolved_contour.h"
 
@@ -68,7 +68,7 @@ std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchIma
     sample.displacement = s.rounding;
     sample.feature = s.group;
     const double across = s.direction.dot(point.normal.cast<double>());
-    sample.look = {point.blur, std::asin(std::clamp(across, -1.0, 1.0))};
+    sample.appearance = {point.blur, std::asin(std::clamp(across, -1.0, 1.0))};
     matches.push_back({sample, found, (pose * s.p_in_object).z()});
   }
   return matches;
@@ -193,7 +193,7 @@ RefinedPose alignByFeatures(const SearchModel& model, const SearchImage& image, 
     const Rigid3& pose = best.camera_from_object;
     std::vector<FeatureSample> samples = withoutDoubles(matchContour(model, image, pose, range, step));
     if (samples.size() < kMinMatches) break;
-    undoBlurOfBends(pose, image.camera, &samples);
+    correctBlurBias(pose, image.camera, &samples);
     const RefinedPose refined = refineByFeatures(pose, image.camera, samples, axis);
     if (!plausibleStep(refined)) break;
     best = refined;

@@ -33,11 +33,11 @@ std::optional<Candidate> recalculated(const SearchTask& task, const Candidate& c
 
 }  // namespace
 
-std::vector<Candidate> recalculateBestFour(const SearchTask& task, std::vector<Candidate> candidates,
-                                           const std::vector<Explanation>& chosen, StageLog* log) {
+std::vector<Candidate> recalculateBestFour(const SearchTask& task, Explained all, StageLog* log) {
+  std::vector<Candidate>& candidates = all.candidates;
   log->timed("best four", [&](StageReport* report) {
     const std::vector<ImageCorner> corners = imageCorners(task.image.groupings);
-    for (const Explanation& explanation : chosen) {
+    for (const Explanation& explanation : all.chosen) {
       Candidate& candidate = candidates[explanation.candidate];
       if (candidate.probability < kWorthRecalculating) continue;
       const std::vector<PointMatch> matches = growConstellation(
@@ -53,7 +53,7 @@ std::vector<Candidate> recalculateBestFour(const SearchTask& task, std::vector<C
       ++report->counts["improved"];
     }
   });
-  return candidates;
+  return std::move(candidates);
 }
 
 }  // namespace monocular_eye_hand

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "recognition/logistic.h"
 
@@ -129,6 +130,13 @@ std::vector<Explanation> chooseExplanations(const std::vector<Candidate>& candid
       chosen.push_back({index, {}});
   }
   return chosen;
+}
+
+Explained explained(std::vector<Candidate> candidates) {
+  Explained all;
+  all.chosen = chooseExplanations(candidates);
+  all.candidates = std::move(candidates);
+  return all;
 }
 
 }  // namespace monocular_eye_hand

@@ -50,4 +50,12 @@ struct Explanation {
 /// overlap a chosen one's, or whose edge points are mostly claimed already, becomes its rival.
 std::vector<Explanation> chooseExplanations(const std::vector<Candidate>& candidates);
 
+/// Candidates, and what is chosen of them.
+struct Explained {
+  std::vector<Candidate> candidates;
+  std::vector<Explanation> chosen;
+};
+/// By chooseExplanations().
+Explained explained(std::vector<Candidate> candidates);
+
 }  // namespace monocular_eye_hand

@@ -44,11 +44,11 @@ bool Occluder::hides(const Camera& camera, const Eigen::Vector2d& uv, double dis
   return hit.hit && hit.distance < distance - kThickness;
 }
 
-std::vector<Candidate> excuseHidden(const SearchTask& task, std::vector<Candidate> candidates,
-                                    const std::vector<Explanation>& chosen, StageLog* log) {
+std::vector<Candidate> excuseHidden(const SearchTask& task, Explained all, StageLog* log) {
+  std::vector<Candidate>& candidates = all.candidates;
   return log->timed("hidden parts", [&](StageReport* report) {
     std::vector<int> sure;
-    for (const Explanation& explanation : chosen)
+    for (const Explanation& explanation : all.chosen)
       if (candidates[explanation.candidate].probability >= kSurelyRight)
         sure.push_back(explanation.candidate);
 

@@ -10,7 +10,6 @@ namespace monocular_eye_hand {
 
 /// What surely recognised objects hide is not held against what lies behind them: candidates that such an
 /// object partly covers, yet does not conflict with, are verified again without their hidden samples.
-std::vector<Candidate> excuseHidden(const SearchTask& task, std::vector<Candidate> candidates,
-                                    const std::vector<Explanation>& chosen, StageLog* log);
+std::vector<Candidate> excuseHidden(const SearchTask& task, Explained all, StageLog* log);
 
 }  // namespace monocular_eye_hand

@@ -81,6 +81,18 @@ std::vector<Candidate> search(const SearchTask& all, std::vector<Candidate> know
   return searchEdges(task, std::move(found), chosen, budget, log).candidates;
 }
 
+SearchOutcome decided(const SearchTask& task, Explained all, const cv::Mat& grey, const Camera& camera,
+                      const std::vector<ObjectEstimate>& previous, StageLog* log) {
+  SearchOutcome outcome;
+  outcome.candidates = std::move(all.candidates);
+  outcome.chosen = std::move(all.chosen);
+  outcome.verdicts = decide(task, outcome.candidates, outcome.chosen, log);
+  outcome.poses =
+      keepEqualPoses(task, outcome.candidates, outcome.chosen,
+                     refineChosen(task, outcome.candidates, outcome.chosen, grey, camera, log), previous);
+  return outcome;
+}
+
 }  // namespace
 
 struct Recognizer::Impl {
@@ -150,42 +162,35 @@ RecognitionResult Recognizer::Impl::recognize(const cv::Mat& grey, const Camera&
   const SearchTask searching{image, models, wanted, asked, trace ? &*trace : nullptr, known_support};
 
   // Steps 2 to 6, or the poses that are given instead.
-  SearchOutcome outcome;
-  std::vector<Candidate>& candidates = outcome.candidates;
   const bool one_is_enough = !request.only.empty();
-  SearchLevel search_level = [&](const SearchTask& level, std::vector<Candidate> known) {
+  const SearchLevel search_level = [&](const SearchTask& level, std::vector<Candidate> known) {
     return search(level, std::move(known), one_is_enough, &budget, &log);
   };
-  candidates =
+  std::vector<Candidate> candidates =
       request.proposals ? judgeProposals(searching, *request.proposals, &log) : search_level(searching, {});
 
-  // What follows sees the image at the size that resolves the contours best.
-  if (request.proposals || (one_is_enough && anyAccepted(candidates, asked))) search_level = nullptr;
-  std::optional<ImageLevel> finer = lookFiner(searching, base, candidates, grey, camera, search_level, &log);
+  // What follows sees the image at the size that resolves the contours best, where parts that the smaller one
+  // may have shown too small are searched for, too.
+  const bool done = request.proposals || (one_is_enough && anyAccepted(candidates, asked));
+  std::optional<ImageLevel> finer =
+      lookFiner(searching, base, candidates, grey, camera, done ? SearchLevel() : search_level, &log);
   if (finer) candidates = std::move(finer->candidates);
   const SearchTask task = searching.in(finer ? finer->image : image);
 
   // What may lie a little better, what is easily taken for one another, and what hides behind another.
   candidates = tryNearbyPoses(task, std::move(candidates), &log);
-  outcome.chosen = chooseExplanations(candidates);
-  candidates = addTwins(task, std::move(candidates), outcome.chosen, &log);
-  outcome.chosen = chooseExplanations(candidates);
-  candidates = excuseHidden(task, std::move(candidates), outcome.chosen, &log);
-  outcome.chosen = chooseExplanations(candidates);
+  candidates = addTwins(task, explained(std::move(candidates)), &log);
+  candidates = excuseHidden(task, explained(std::move(candidates)), &log);
 
   // 2.4: the pose is calculated again from the best four, and fine-tuned by all features that are redundant.
-  candidates = recalculateBestFour(task, std::move(candidates), outcome.chosen, &log);
+  candidates = recalculateBestFour(task, explained(std::move(candidates)), &log);
 
   // What is right stands out among the other poses of its object; of poses that are nearly alike, what they
   // draw differently tells.
   candidates = weighAmongOthers(std::move(candidates), asked.decision);
-  outcome.chosen = chooseExplanations(candidates);
-  candidates = settleContests(task, std::move(candidates), outcome.chosen, &log);
-  outcome.chosen = chooseExplanations(candidates);
-  outcome.verdicts = decide(task, candidates, outcome.chosen, &log);
-  outcome.poses = refineChosen(task, candidates, outcome.chosen, grey, camera, &log);
-  outcome.poses =
-      keepEqualPoses(task, candidates, outcome.chosen, std::move(outcome.poses), request.previous);
+  candidates = settleContests(task, explained(std::move(candidates)), &log);
+  const SearchOutcome outcome =
+      decided(task, explained(std::move(candidates)), grey, camera, request.previous, &log);
 
   // Step 7: output.
   RecognitionResult result = reportObjects(task, outcome, double(camera.width) / task.image.camera.width);

@@ -175,10 +175,10 @@ void share(const SearchTask& task, const std::vector<int>& competing, const std:
 
 }  // namespace
 
-std::vector<Candidate> settleContests(const SearchTask& task, std::vector<Candidate> candidates,
-                                      const std::vector<Explanation>& chosen, StageLog* log) {
+std::vector<Candidate> settleContests(const SearchTask& task, Explained all, StageLog* log) {
+  std::vector<Candidate>& candidates = all.candidates;
   return log->timed("contests", [&](StageReport* report) {
-    for (const Explanation& explanation : chosen) {
+    for (const Explanation& explanation : all.chosen) {
       if (candidates[size_t(explanation.candidate)].probability < kWorthContest) continue;
       const std::vector<int> competing = contestants(task, candidates, explanation);
       if (competing.size() < 2) continue;

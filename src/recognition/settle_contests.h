@@ -12,7 +12,6 @@ namespace monocular_eye_hand {
 /// against each other in what they draw differently (PoseContest), and share the probability of the likeliest
 /// accordingly. Pairs are recorded in Candidate::contests. `chosen`: the explanations among the candidates,
 /// whose probabilities are those among the others of their object.
-std::vector<Candidate> settleContests(const SearchTask& task, std::vector<Candidate> candidates,
-                                      const std::vector<Explanation>& chosen, StageLog* log);
+std::vector<Candidate> settleContests(const SearchTask& task, Explained all, StageLog* log);
 
 }  // namespace monocular_eye_hand

@@ -47,11 +47,11 @@ std::vector<Rigid3> twinPoses(const SearchModel& model, const Rigid3& pose) {
 
 }  // namespace
 
-std::vector<Candidate> addTwins(const SearchTask& task, std::vector<Candidate> candidates,
-                                const std::vector<Explanation>& chosen, StageLog* log) {
+std::vector<Candidate> addTwins(const SearchTask& task, Explained all, StageLog* log) {
+  std::vector<Candidate>& candidates = all.candidates;
   return log->timed("twins", [&](StageReport* report) {
     std::vector<Start> starts;
-    for (const Explanation& explanation : chosen) {
+    for (const Explanation& explanation : all.chosen) {
       const Candidate& candidate = candidates[explanation.candidate];
       if (candidate.probability < kWorthTwins) continue;
       for (const Rigid3& twin : twinPoses(task.models[candidate.object], candidate.pose.camera_from_object))

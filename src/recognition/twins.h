@@ -12,7 +12,6 @@ namespace monocular_eye_hand {
 /// twins of those that may still be reported. A twin lies where its sibling lies, turned so that the part's
 /// bounding box falls on itself or its flat side tilts the other way, and is aligned and verified as any
 /// other.
-std::vector<Candidate> addTwins(const SearchTask& task, std::vector<Candidate> candidates,
-                                const std::vector<Explanation>& chosen, StageLog* log);
+std::vector<Candidate> addTwins(const SearchTask& task, Explained all, StageLog* log);
 
 }  // namespace monocular_eye_hand

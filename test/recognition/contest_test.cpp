@@ -94,7 +94,7 @@ class Bar : public testing::Test {
       candidate.lead = {8, 8, 0};
     }
     StageLog log;
-    return settleContests(task, candidates, {Explanation{chosen, {1 - chosen}}}, &log);
+    return settleContests(task, {candidates, {Explanation{chosen, {1 - chosen}}}}, &log);
   }
 
   KnownObject object_ = known("bar", mesh());
@@ -163,7 +163,7 @@ TEST_F(Bar, one_that_is_far_behind_does_not_compete) {
   verify(models_[0], image, &candidates[1]);
   candidates[0].probability = 0.9;
   StageLog log;
-  candidates = settleContests(task, candidates, {Explanation{0, {1}}}, &log);
+  candidates = settleContests(task, {candidates, {Explanation{0, {1}}}}, &log);
   EXPECT_EQ(candidates[0].probability, 0.9);
   EXPECT_EQ(candidates[0].winners_share, 1);
   EXPECT_TRUE(candidates[0].contests.empty());

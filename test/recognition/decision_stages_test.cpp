@@ -125,7 +125,7 @@ TEST(Twins, of_a_pose_that_is_wrong_by_a_half_turn_the_right_one_is_found) {
   wrong.pose.camera_from_object = turned;
   wrong.probability = 0.6;
   StageLog log;
-  const std::vector<Candidate> all = addTwins(search.task, {wrong}, {Explanation{0, {}}}, &log);
+  const std::vector<Candidate> all = addTwins(search.task, {{wrong}, {Explanation{0, {}}}}, &log);
   ASSERT_GE(all.size(), 2u);
   const bool found = std::any_of(all.begin() + 1, all.end(), [&](const Candidate& c) {
     return poseError(bracket, picture.camera, c.pose.camera_from_object, truth).image < 3;
@@ -133,7 +133,7 @@ TEST(Twins, of_a_pose_that_is_wrong_by_a_half_turn_the_right_one_is_found) {
   EXPECT_TRUE(found);
 
   wrong.probability = 0.01;
-  EXPECT_EQ(addTwins(search.task, {wrong}, {Explanation{0, {}}}, &log).size(), 1u) << "not worth it";
+  EXPECT_EQ(addTwins(search.task, {{wrong}, {Explanation{0, {}}}}, &log).size(), 1u) << "not worth it";
 }
 
 TEST(NearbyPoses, a_doubtful_candidate_that_is_tilted_gives_way_to_the_right_pose) {

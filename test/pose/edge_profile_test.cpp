@@ -1,4 +1,4 @@
-#include "recognition/edge_profile.h"
+#include "monocular_eye_hand/pose/edge_profile.h"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +6,16 @@ namespace monocular_eye_hand {
 namespace {
 
 // Ten clean edges of blur 1.1 and four others, ten points each.
-std::vector<EdgeLook> part() {
-  std::vector<EdgeLook> looks;
+std::vector<EdgeAppearance> part() {
+  std::vector<EdgeAppearance> appearances;
   for (int edge = 0; edge < 14; ++edge)
     for (int i = 0; i < 10; ++i)
-      looks.push_back({edge < 10 ? 1.1 + 0.002 * (i - 4.5) : 0.8 + 0.3 * (edge - 10), 0.0});
-  return looks;
+      appearances.push_back({edge < 10 ? 1.1 + 0.002 * (i - 4.5) : 0.8 + 0.3 * (edge - 10), 0.0});
+  return appearances;
 }
-std::vector<EdgeLook> edge(double blur, double turn = 0) { return std::vector<EdgeLook>(5, {blur, turn}); }
+std::vector<EdgeAppearance> edge(double blur, double turn = 0) {
+  return std::vector<EdgeAppearance>(5, {blur, turn});
+}
 
 TEST(EdgeProfiles, clean_is_what_most_edges_share) {
   EXPECT_NEAR(EdgeProfiles(part()).cleanBlur(), 1.1, 0.01);
@@ -43,7 +45,7 @@ TEST(EdgeProfiles, an_edge_that_runs_across_its_contour_is_doubtful_whichever_wa
 }
 
 TEST(EdgeProfiles, a_single_stray_point_does_not_condemn_its_edge) {
-  std::vector<EdgeLook> stray = edge(1.1);
+  std::vector<EdgeAppearance> stray = edge(1.1);
   stray[2] = {3.0, 1.2};
   EXPECT_EQ(EdgeProfiles(part()).expectedOffset(stray), EdgeProfiles(part()).expectedOffset(edge(1.1)));
 }

@@ -1,4 +1,4 @@
-#include "recognition/bent_edges.h"
+#include "monocular_eye_hand/pose/bent_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ std::vector<double> curvatures(const std::vector<ContourPlace>& contour) {
   return found;
 }
 
-void undoBlurOfBends(const Rigid3& pose, const Camera& camera, std::vector<FeatureSample>* samples) {
+void correctBlurBias(const Rigid3& pose, const Camera& camera, std::vector<FeatureSample>* samples) {
   std::vector<ContourPlace> contour;
   contour.reserve(samples->size());
   for (const FeatureSample& s : *samples)
@@ -69,7 +69,7 @@ void undoBlurOfBends(const Rigid3& pose, const Camera& camera, std::vector<Featu
   const std::vector<double> bends = curvatures(contour);
   for (size_t i = 0; i < samples->size(); ++i) {
     FeatureSample& s = (*samples)[i];
-    const double moved = 0.5 * s.look.blur * s.look.blur * bends[i];
+    const double moved = 0.5 * s.appearance.blur * s.appearance.blur * bends[i];
     s.line.uv -= std::clamp(moved, -kMostMoved, kMostMoved) * s.line.normal;
   }
 }

@@ -1,4 +1,4 @@
-#include "recognition/edge_profile.h"
+#include "monocular_eye_hand/pose/edge_profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ constexpr double kLeastOffset = 0.02;  // px
 constexpr double kOffsetPerBlur = 2.2;
 constexpr double kOffsetPerTurn = 2.3;               // px per radian
 constexpr double kUsualTurn = 1.5 * M_PI / 180;      // scatter of single points' directions
-constexpr double kShare = 0.25, kLeastWidth = 0.02;  // of the looks in the interval, and its width [px]
+constexpr double kShare = 0.25, kLeastWidth = 0.02;  // of the appearances in the interval, and its width [px]
 
 }  // namespace
 
-EdgeProfiles::EdgeProfiles(const std::vector<EdgeLook>& looks) {
+EdgeProfiles::EdgeProfiles(const std::vector<EdgeAppearance>& appearances) {
   std::vector<double> blurs;
-  blurs.reserve(looks.size());
-  for (const EdgeLook& look : looks) blurs.push_back(look.blur);
+  blurs.reserve(appearances.size());
+  for (const EdgeAppearance& point : appearances) blurs.push_back(point.blur);
   std::sort(blurs.begin(), blurs.end());
   if (blurs.empty()) return;
   const size_t inside = std::min(blurs.size(), std::max<size_t>(2, size_t(kShare * double(blurs.size()))));
@@ -33,11 +33,11 @@ EdgeProfiles::EdgeProfiles(const std::vector<EdgeLook>& looks) {
   half_width_ = 0.5 * std::max(kLeastWidth, blurs[best + inside - 1] - blurs[best]);
 }
 
-double EdgeProfiles::expectedOffset(const std::vector<EdgeLook>& edge) const {
+double EdgeProfiles::expectedOffset(const std::vector<EdgeAppearance>& edge) const {
   std::vector<double> blurs, turns;
-  for (const EdgeLook& look : edge) {
-    blurs.push_back(look.blur);
-    turns.push_back(std::abs(look.turn));
+  for (const EdgeAppearance& point : edge) {
+    blurs.push_back(point.blur);
+    turns.push_back(std::abs(point.turn));
   }
   if (edge.empty()) return kLeastOffset;
   const double departure = std::max(0.0, std::abs(median(&blurs) - clean_blur_) - half_width_);

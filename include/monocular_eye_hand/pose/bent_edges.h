@@ -4,7 +4,7 @@
 
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
-#include "recognition/feature_refinement.h"
+#include "monocular_eye_hand/pose/feature_refinement.h"
 
 namespace monocular_eye_hand {
 
@@ -21,6 +21,6 @@ std::vector<double> curvatures(const std::vector<ContourPlace>& contour);
 /// Blur moves the steepest point of a bent edge towards the centre of its bend, by blur^2 / (2 radius), most
 /// of all where holes are small: all circles look smaller and the object farther away. Moves the pixels that
 /// answer the samples back by that, as the contour bends under `pose`.
-void undoBlurOfBends(const Rigid3& pose, const Camera& camera, std::vector<FeatureSample>* samples);
+void correctBlurBias(const Rigid3& pose, const Camera& camera, std::vector<FeatureSample>* samples);
 
 }  // namespace monocular_eye_hand

@@ -3,8 +3,8 @@
 
 namespace monocular_eye_hand {
 
-/// How an edge point looks that answers a contour sample.
-struct EdgeLook {
+/// How an edge point appearances that answers a contour sample.
+struct EdgeAppearance {
   double blur = 0;  ///< standard deviation of the edge's profile [px]
   double turn = 0;  ///< angle between the edge and the contour [rad], any sign
 };
@@ -16,10 +16,10 @@ struct EdgeLook {
 class EdgeProfiles {
  public:
   /// From all edge points of a part; what most of them share is the blur of a clean step.
-  explicit EdgeProfiles(const std::vector<EdgeLook>& looks);
+  explicit EdgeProfiles(const std::vector<EdgeAppearance>& appearances);
   /// Standard deviation [px] to expect of the offset of an edge from its model edge, the error that all of
   /// its points have in common.
-  double expectedOffset(const std::vector<EdgeLook>& edge) const;
+  double expectedOffset(const std::vector<EdgeAppearance>& edge) const;
   /// The blur of a clean step [px].
   double cleanBlur() const { return clean_blur_; }
 

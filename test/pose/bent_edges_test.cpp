@@ -1,4 +1,4 @@
-#include "recognition/bent_edges.h"
+#include "monocular_eye_hand/pose/bent_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -77,11 +77,11 @@ TEST(UndoBlurOfBends, brings_the_edge_of_a_small_disc_back) {
     sample.line.p_in_object << kRadius * outwards / 80, 0;
     sample.line.uv = uv;
     sample.line.normal = outwards;
-    sample.look.blur = point.blur;
+    sample.appearance.blur = point.blur;
     samples.push_back(sample);
     before += (uv.array() - kCentre).matrix().norm() - kRadius;
   }
-  undoBlurOfBends(pose, camera, &samples);
+  correctBlurBias(pose, camera, &samples);
   for (const FeatureSample& s : samples) after += (s.line.uv.array() - kCentre).matrix().norm() - kRadius;
   const double n = double(samples.size());
   EXPECT_LT(before / n, -0.1);

@@ -1,4 +1,4 @@
-#include "recognition/feature_refinement.h"
+#include "monocular_eye_hand/pose/feature_refinement.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -36,7 +36,7 @@ struct Sample {
   Eigen::Vector2d uv;
   double residual;  // [px]
   Vector6d derivative;
-  EdgeLook look;
+  EdgeAppearance appearance;
   double displacement;
 };
 
@@ -134,7 +134,7 @@ SamplesByFeature usableSamples(const Rigid3& pose, const Camera& camera,
   for (const FeatureSample& given : all) {
     Sample sample;
     sample.uv = given.line.uv;
-    sample.look = given.look;
+    sample.appearance = given.appearance;
     sample.displacement = given.displacement;
     sample.residual = lineResidual(pose, camera, given.line, &sample.derivative);
     if (std::abs(sample.residual) < kOutlier && sample.derivative.allFinite())
@@ -143,22 +143,22 @@ SamplesByFeature usableSamples(const Rigid3& pose, const Camera& camera,
   return usable;
 }
 
-std::vector<EdgeLook> looksOf(const std::vector<Sample>& samples) {
-  std::vector<EdgeLook> looks;
-  looks.reserve(samples.size());
-  for (const Sample& s : samples) looks.push_back(s.look);
-  return looks;
+std::vector<EdgeAppearance> appearancesOf(const std::vector<Sample>& samples) {
+  std::vector<EdgeAppearance> appearances;
+  appearances.reserve(samples.size());
+  for (const Sample& s : samples) appearances.push_back(s.appearance);
+  return appearances;
 }
 
 std::vector<Feature> featuresOf(const SamplesByFeature& samples) {
-  std::vector<EdgeLook> all;
+  std::vector<EdgeAppearance> all;
   for (const auto& [number, of_feature] : samples)
-    for (const Sample& s : of_feature) all.push_back(s.look);
+    for (const Sample& s : of_feature) all.push_back(s.appearance);
   const EdgeProfiles profiles(all);
   std::vector<Feature> features;
   for (const auto& [number, of_feature] : samples)
     features.emplace_back(of_feature, std::hypot(of_feature.front().displacement,
-                                                 profiles.expectedOffset(looksOf(of_feature))));
+                                                 profiles.expectedOffset(appearancesOf(of_feature))));
   return features;
 }
 

@@ -1,4 +1,4 @@
-#include "recognition/feature_refinement.h"
+#include "monocular_eye_hand/pose/feature_refinement.h"
 
 #include <gmock/gmock.h>
 
@@ -45,7 +45,7 @@ struct Contour {
           FeatureSample sample;
           sample.line = {p, camera().project(truth() * p), Eigen::Vector2d(-d.y(), d.x()).normalized(), 0.3};
           sample.feature = group;
-          sample.look.blur = 1.1;
+          sample.appearance.blur = 1.1;
           samples.push_back(sample);
         }
       }
@@ -120,7 +120,7 @@ TEST(FeatureRefinement, an_edge_whose_profile_is_no_clean_step_counts_little) {
   for (double blur : {0.9, 1.3}) {
     Contour clean(20), doubtful(20);
     for (Contour* contour : {&clean, &doubtful}) contour->displace(0, 0.3);
-    for (int i = 0; i < 20; ++i) doubtful.samples[size_t(i)].look.blur = blur;
+    for (int i = 0; i < 20; ++i) doubtful.samples[size_t(i)].appearance.blur = blur;
     EXPECT_LT(distance(doubtful.refined(truth()).camera_from_object, truth()),
               0.5 * distance(clean.refined(truth()).camera_from_object, truth()))
         << blur;
