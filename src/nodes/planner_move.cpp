@@ -52,7 +52,7 @@ WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   if (held_ && !lost(gripper).empty()) held_.reset();
 
   const bool drops = held_ && goal.open_gripper;
-  CollisionWorld world = scene_.world(held_ ? std::optional<SceneObject>(held_->object) : std::nullopt, -1,
+  CollisionWorld world = scene_.world(held_ ? std::optional<PlacedObject>(held_->object) : std::nullopt, -1,
                                       inHand(request.start));
   double opening = gripper.width;
   if (held_ && !drops) {

@@ -124,7 +124,7 @@ void PlannerNode::takeObjects() {
     array = objects_;
   }
   if (!array) return;
-  std::vector<SceneObject> objects;
+  std::vector<PlacedObject> objects;
   for (const LocatedObject& object : array->objects)
     objects.push_back({object.name, object.instance, fromPose(object.pose.pose)});
   for (const std::string& label : work_.see(objects))

@@ -45,14 +45,14 @@ constexpr double kRecheck = 0.005;  // step of a kept plan that is tested again 
 
 }  // namespace
 
-SceneObject PlannerWork::checked(const PickGoal& goal, PickTarget* target) const {
+PlacedObject PlannerWork::checked(const PickGoal& goal, PickTarget* target) const {
   if (withoutSlash(goal.target.header.frame_id) != parameters_.base_frame)
     throw BadInput("target.header.frame_id is '" + goal.target.header.frame_id + "' and must be '" +
                    parameters_.base_frame + "', the arm's base");
   if (!scene_.knows(goal.target.name))
     throw BadInput("no object is named '" + goal.target.name + "'; known: " + scene_.names());
-  SceneObject object{goal.target.name, goal.target.instance,
-                     poseOf(goal.target.object.pose, "target.object")};
+  PlacedObject object{goal.target.name, goal.target.instance,
+                      poseOf(goal.target.object.pose, "target.object")};
   *target = pickTargetOf(goal.target, object.label(), description_.gripper_width_max);
   return object;
 }
@@ -61,7 +61,7 @@ WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
   driver_.resetMotionTime();
   if (!goal.target.feasible)
     return result(PickResult::UNREACHABLE, "the target says that it is not feasible: " + goal.target.reason);
-  SceneObject object;
+  PlacedObject object;
   PickTarget target;
   try {
     object = checked(goal, &target);
@@ -98,7 +98,7 @@ WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
   return done;
 }
 
-PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, const PickTarget& target,
+PlannerWork::PlannedPick PlannerWork::planThePick(const PlacedObject& object, const PickTarget& target,
                                                   int place) {
   PlannedPick planned;
   const JointVector joints = start();
@@ -142,7 +142,7 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, con
   return planned;
 }
 
-WorkResult PlannerWork::drivePick(const SceneObject& object, const PlannedPick& planned,
+WorkResult PlannerWork::drivePick(const PlacedObject& object, const PlannedPick& planned,
                                   const WorkWatch& watch) {
   const std::vector<PickMotion>& motions = planned.kept.plan.motions;
   std::vector<Trajectory> shown = trajectoriesOf(motions);
@@ -171,7 +171,7 @@ WorkResult PlannerWork::drivePick(const SceneObject& object, const PlannedPick& 
   return result(drive);
 }
 
-Drive PlannerWork::closeOn(const SceneObject& object, const KeptPlan& kept, const DriveWatch& watch) {
+Drive PlannerWork::closeOn(const PlacedObject& object, const KeptPlan& kept, const DriveWatch& watch) {
   const PickTarget& target = kept.request.target;
   keepMemory(PickMemory{object, target, ros::Time::now().toSec()});  // before: a crash may come at any time
   const Drive drive =
@@ -268,7 +268,7 @@ WorkResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& mot
     if (!drive.done()) return result(drive);
   }
 
-  SceneObject object = held_->object;
+  PlacedObject object = held_->object;
   object.base_from_object = arm_.baseFromTcp(motions[motions.size() - 2].trajectory.points.back().position) *
                             held_->tcp_from_object;
   object.base_from_object.translation.z() -= parameters_.drop_gap;

@@ -45,7 +45,7 @@ void PlannerWork::recall() {
   }
 }
 
-void PlannerWork::hold(const SceneObject& object, const PickTarget& target, double width) {
+void PlannerWork::hold(const PlacedObject& object, const PickTarget& target, double width) {
   Held held;
   held.object = object;
   held.target = target;
@@ -65,14 +65,15 @@ void PlannerWork::holdUnknown(const GripperState& gripper, const JointVector& jo
   target.base_from_tcp_before = target.base_from_tcp_after = target.base_from_tcp_grasp;
   target.grip_width = gripper.width;
   target.open_width = description_.gripper_width_max;
-  SceneObject object{kUnknownPart, 0, target.base_from_tcp_grasp};
+  PlacedObject object{kUnknownPart, 0, target.base_from_tcp_grasp};
   object.base_from_object.translation +=
       target.base_from_tcp_grasp.rotation.col(2) * (kUnknownBefore - kUnknownBehind) / 2;
   hold(object, target, gripper.width);
 }
 
 CollisionWorld PlannerWork::worldNow(const JointVector& joints, double gripper_width) const {
-  const std::optional<SceneObject> subject = held_ ? std::optional<SceneObject>(held_->object) : std::nullopt;
+  const std::optional<PlacedObject> subject =
+      held_ ? std::optional<PlacedObject>(held_->object) : std::nullopt;
   CollisionWorld world = scene_.world(subject, -1, inHand(joints));
   if (held_) world.attach(held_->object.label(), held_->tcp_from_object);
   world.setGripperWidth(gripper_width);

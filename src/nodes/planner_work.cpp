@@ -24,7 +24,7 @@ PlannerWork::PlannerWork(const PlannerParameters& parameters)
   requireSameArm(description_, arm_.arm);
 }
 
-std::vector<std::string> PlannerWork::see(const std::vector<SceneObject>& objects) {
+std::vector<std::string> PlannerWork::see(const std::vector<PlacedObject>& objects) {
   seen_ = true;
   return scene_.see(objects);
 }
@@ -115,9 +115,9 @@ std::string PlannerWork::lost(const GripperState& state) const {
 }
 
 /// The held object as the hand has it at these joints.
-std::optional<SceneObject> PlannerWork::inHand(const JointVector& joints) const {
+std::optional<PlacedObject> PlannerWork::inHand(const JointVector& joints) const {
   if (!held_) return std::nullopt;
-  SceneObject object = held_->object;
+  PlacedObject object = held_->object;
   object.base_from_object = arm_.baseFromTcp(joints) * held_->tcp_from_object;
   return object;
 }
