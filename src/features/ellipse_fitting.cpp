@@ -89,7 +89,7 @@ void stabilize(Matrix5d* h) {
 }
 
 // NaN when the equations have no minimum.
-Vector5d gaussNewtonStep(const NormalEquations& equations) {
+Vector5d gaussNewtonStep(const EllipseNormalEquations& equations) {
   Matrix5d h = equations.h;
   stabilize(&h);
   const Cholesky5 cholesky(h);
@@ -156,7 +156,7 @@ EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iter
   fit.ellipse = start;
   const int n = points.count();
   if (n < 6) return fit;
-  NormalEquations equations;
+  EllipseNormalEquations equations;
   Vector5d step;
   Ellipse trial = start;
   double reach = kFirstReach;
@@ -164,7 +164,7 @@ EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iter
     // Residuals larger than predicted (start not yet good, real edges not quite elliptic) widen the robust
     // scale.
     const double scale = it == 0 ? 3.0 : std::max(1.0, std::sqrt(fit.chi2 / std::max(1, n - 5)));
-    const NormalEquations there = normalEquations(points, trial, scale);
+    const EllipseNormalEquations there = normalEquations(points, trial, scale);
     if (it == 0 || there.chi2 < fit.chi2) {
       equations = there;
       fit.ellipse = trial;

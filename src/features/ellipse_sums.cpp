@@ -166,12 +166,12 @@ ScatterMatrices scatterMatrices(const FitPoints& points) {
   return out;
 }
 
-NormalEquations normalEquations(const FitPoints& points, const Ellipse& ellipse, double robust_scale) {
+EllipseNormalEquations normalEquations(const FitPoints& points, const Ellipse& ellipse, double robust_scale) {
   const Axes axes{ellipse.centre.x(),      ellipse.centre.y(), std::cos(ellipse.angle),
                   std::sin(ellipse.angle), ellipse.a,          ellipse.b};
   Sums sums;
   addUp(points, axes, robust_scale, &sums);
-  NormalEquations out;
+  EllipseNormalEquations out;
   int at = 0;
   for (int i = 0; i < 5; ++i) {
     for (int j = 0; j <= i; ++j) out.h(i, j) = out.h(j, i) = sums.h[at++];

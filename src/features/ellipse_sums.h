@@ -17,12 +17,12 @@ ScatterMatrices scatterMatrices(const FitPoints& points);
 
 /// Gauss-Newton's matrix and right-hand side for (centre u, centre v, a, b, angle), with Tukey weights at
 /// four standard deviations times `robust_scale`.
-struct NormalEquations {
+struct EllipseNormalEquations {
   Eigen::Matrix<double, 5, 5> h;
   Eigen::Matrix<double, 5, 1> g;
   double chi2 = 0;     ///< residuals over their variances, each at most (3 robust_scale)^2
   double squares = 0;  ///< plain sum of squared residuals [px^2]
 };
-NormalEquations normalEquations(const FitPoints& points, const Ellipse& ellipse, double robust_scale);
+EllipseNormalEquations normalEquations(const FitPoints& points, const Ellipse& ellipse, double robust_scale);
 
 }  // namespace monocular_eye_hand

@@ -159,7 +159,7 @@ class View {
       if (angle < -kPi) angle += 2 * kPi;
       wall.cover(angle, &intervals_);
       const Eigen::Vector3d radial = std::cos(angle) * wall.x + std::sin(angle) * wall.y;
-      for (const Interval& i : intervals_) {
+      for (const HeightRange& i : intervals_) {
         const Steps steps(i.high - i.low, options_.step);
         for (int k = 0; k < steps.count; ++k) {
           const Eigen::Vector3d p = wall.point + wall.radius * radial + (i.low + steps.at(k)) * wall.axis;
@@ -204,7 +204,7 @@ class View {
   const ContourIndex& index_;
   const Eigen::Vector3d eye_;
   const ContourOptions& options_;
-  std::vector<Interval> intervals_;
+  std::vector<HeightRange> intervals_;
   std::vector<ContourSample> out_;
 };
 

@@ -53,7 +53,7 @@ void ContourIndex::addWall(const ObjectModel& model, int surface) {
   walls.push_back(std::move(wall));
 }
 
-void CylinderWall::cover(double angle, std::vector<Interval>* out) const {
+void CylinderWall::cover(double angle, std::vector<HeightRange>* out) const {
   out->clear();
   constexpr double kSlack = 1e-9;
   for (const Triangle& t : triangles) {
@@ -77,7 +77,8 @@ void CylinderWall::cover(double angle, std::vector<Interval>* out) const {
     if (high > low) out->push_back({low, high});
   }
 
-  std::sort(out->begin(), out->end(), [](const Interval& p, const Interval& q) { return p.low < q.low; });
+  std::sort(out->begin(), out->end(),
+            [](const HeightRange& p, const HeightRange& q) { return p.low < q.low; });
   size_t kept = 0;
   const double gap = 1e-6 * radius;
   for (size_t k = 1; k < out->size(); ++k) {

@@ -7,7 +7,7 @@
 namespace monocular_eye_hand {
 
 /// A piece [low, high] of a generator line [m along the axis].
-struct Interval {
+struct HeightRange {
   double low, high;
 };
 
@@ -24,7 +24,7 @@ struct CylinderWall {
   std::vector<Triangle> triangles;
 
   /// Heights that the wall covers at `angle`, joined and ascending.
-  void cover(double angle, std::vector<Interval>* out) const;
+  void cover(double angle, std::vector<HeightRange>* out) const;
 };
 
 /// A free-form surface with normals at its vertices: its silhouette runs where normal . view ray crosses

@@ -19,7 +19,7 @@ Rigid3 turnAbout(const Eigen::Vector2d& from, const DropPlace& place, double tur
 
 }  // namespace
 
-Footprint footprintOf(const Mesh& mesh, const Rigid3& base_from_object) {
+FootprintBox footprintOf(const Mesh& mesh, const Rigid3& base_from_object) {
   std::vector<cv::Point2f> points;  // about the object's origin: floats are exact enough there
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
     const Eigen::Vector3d p = base_from_object.rotation * vertex;
@@ -30,7 +30,7 @@ Footprint footprintOf(const Mesh& mesh, const Rigid3& base_from_object) {
   rectangle.points(corners);
   cv::Point2f a = corners[1] - corners[0], b = corners[2] - corners[1];
   if (cv::norm(a) < cv::norm(b)) std::swap(a, b);
-  Footprint footprint;
+  FootprintBox footprint;
   footprint.centre = {rectangle.center.x, rectangle.center.y};
   footprint.centre += base_from_object.translation.head<2>();
   footprint.length = cv::norm(a);
@@ -40,15 +40,15 @@ Footprint footprintOf(const Mesh& mesh, const Rigid3& base_from_object) {
   return footprint;
 }
 
-std::vector<DropTarget> dropTargets(const DropPlace& place, const Footprint& footprint,
-                                    const Rigid3& base_from_tcp_grasp, double gap, double above) {
+std::vector<DropTarget> dropTargets(const DropPlace& place, const FootprintBox& footprint,
+                                    const Rigid3& base_from_grasp, double gap, double above) {
   std::vector<DropTarget> drops;
   for (double base : {0.0, M_PI / 2, M_PI / 4, -M_PI / 4}) {
     double one = wrapped(place.yaw + base - footprint.yaw), other = wrapped(one + M_PI);
     if (std::abs(other) < std::abs(one)) std::swap(one, other);
     for (double turn : {one, other})
-      drops.push_back({turnAbout(footprint.centre, place, turn, above) * base_from_tcp_grasp,
-                       turnAbout(footprint.centre, place, turn, gap) * base_from_tcp_grasp});
+      drops.push_back({turnAbout(footprint.centre, place, turn, above) * base_from_grasp,
+                       turnAbout(footprint.centre, place, turn, gap) * base_from_grasp});
   }
   return drops;
 }

@@ -10,7 +10,7 @@ namespace monocular_eye_hand {
 
 /// The last pick, as far as it matters to a planner that starts again while the gripper holds the part.
 struct PickMemory {
-  SceneObject object;  ///< as it stood
+  PlacedObject object;  ///< as it stood
   PickTarget target;
   double stamp = 0;  ///< of the clock, when the fingers closed [s]
 };

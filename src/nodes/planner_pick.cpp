@@ -8,32 +8,19 @@
 namespace monocular_eye_hand {
 namespace {
 
-uint8_t outcomeOf(PickOutcome outcome) {
-  switch (outcome) {
-    case PickOutcome::kPlanned:
-      return PickResult::DONE;
-    case PickOutcome::kStartInCollision:
-    case PickOutcome::kGraspInCollision:
-    case PickOutcome::kApproachBlocked:
-    case PickOutcome::kLiftBlocked:
-    case PickOutcome::kDropInCollision:
-    case PickOutcome::kLoweringBlocked:
-      return PickResult::IN_COLLISION;
-    case PickOutcome::kGraspUnreachable:
-    case PickOutcome::kNoPathToGrasp:
-    case PickOutcome::kDropUnreachable:
-    case PickOutcome::kNoPathToDrop:
-      break;
-  }
-  return PickResult::UNREACHABLE;
-}
-
 double secondsSince(const ros::WallTime& begin) { return (ros::WallTime::now() - begin).toSec(); }
 
 std::vector<Trajectory> trajectoriesOf(const std::vector<PickMotion>& motions) {
   std::vector<Trajectory> trajectories;
   for (const PickMotion& motion : motions) trajectories.push_back(motion.trajectory);
   return trajectories;
+}
+
+/// What is left of a planned pick when the object is lifted.
+PickPlan afterLift(PickPlan plan) {
+  const auto carries = [](const PickMotion& motion) { return motion.stage == PickStage::kCarry; };
+  plan.motions.erase(plan.motions.begin(), std::find_if(plan.motions.begin(), plan.motions.end(), carries));
+  return plan;
 }
 
 std::string noPlace(int place, size_t places) {
@@ -45,23 +32,24 @@ constexpr double kRecheck = 0.005;  // step of a kept plan that is tested again 
 
 }  // namespace
 
-SceneObject PlannerWork::checked(const PickGoal& goal, PickTarget* target) const {
+PlacedObject PlannerWork::checked(const PickGoal& goal, PickTarget* target) const {
   if (withoutSlash(goal.target.header.frame_id) != parameters_.base_frame)
     throw BadInput("target.header.frame_id is '" + goal.target.header.frame_id + "' and must be '" +
                    parameters_.base_frame + "', the arm's base");
   if (!scene_.knows(goal.target.name))
     throw BadInput("no object is named '" + goal.target.name + "'; known: " + scene_.names());
-  SceneObject object{goal.target.name, goal.target.instance,
-                     poseOf(goal.target.object.pose, "target.object")};
+  PlacedObject object{goal.target.name, goal.target.instance,
+                      poseOf(goal.target.object.pose, "target.object")};
   *target = pickTargetOf(goal.target, object.label(), description_.gripper_width_max);
   return object;
 }
 
-WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
+ActionResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
   driver_.resetMotionTime();
   if (!goal.target.feasible)
-    return result(PickResult::UNREACHABLE, "the target says that it is not feasible: " + goal.target.reason);
-  SceneObject object;
+    return result(ActionOutcome::kUnreachable,
+                  "the target says that it is not feasible: " + goal.target.reason);
+  PlacedObject object;
   PickTarget target;
   try {
     object = checked(goal, &target);
@@ -69,14 +57,15 @@ WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
     return refuse(e.what());
   }
   if (goal.place < 0 || goal.place >= int(places_.size()))
-    return result(PickResult::UNREACHABLE, noPlace(goal.place, places_.size()));
+    return result(ActionOutcome::kUnreachable, noPlace(goal.place, places_.size()));
   if (!seen_)
-    return result(PickResult::FAULT, "nothing came on eye_hand/objects yet: what stands around is not known");
+    return result(ActionOutcome::kFault,
+                  "nothing came on eye_hand/objects yet: what stands around is not known");
 
   recall();
   const GripperState gripper = driver_.gripper();
   if (held_ && lost(gripper).empty())
-    return result(PickResult::FAULT,
+    return result(ActionOutcome::kFault,
                   "the gripper holds " + held_->object.label() + ": place it first; " + recoverHint());
   held_.reset();
 
@@ -86,30 +75,30 @@ WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
   const double planning_time = secondsSince(begin);
   watch.say("plan", 1);
 
-  WorkResult done;
+  ActionResult ended;
   if (!planned.refused.empty())
-    done = result(PickResult::IN_COLLISION, planned.refused);
+    ended = result(ActionOutcome::kInCollision, planned.refused);
   else if (!planned.kept.plan.planned())
-    done = result(outcomeOf(planned.kept.plan.outcome),
-                  name(planned.kept.plan.outcome) + ": " + planned.kept.plan.reason);
+    ended = result(outcomeOf(planned.kept.plan.outcome),
+                   name(planned.kept.plan.outcome) + ": " + planned.kept.plan.reason);
   else
-    done = drivePick(object, planned, watch);
-  done.planning_time = planning_time;
-  return done;
+    ended = drivePick(object, planned, watch);
+  ended.planning_time = planning_time;
+  return ended;
 }
 
-PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, const PickTarget& target,
+PlannerWork::PlannedPick PlannerWork::planThePick(const PlacedObject& object, const PickTarget& target,
                                                   int place) {
   PlannedPick planned;
   const JointVector joints = start();
   CollisionWorld world = scene_.world(object, place);
-  planned.refused = sweep(world, joints, driver_.gripper().width, target.open_width);
+  planned.refused = sweep(world, joints, driver_.gripper().width, target.opening);
   if (!planned.refused.empty()) {
     planned.refused = "opening the gripper where it stands: " + planned.refused + "; " + recoverHint();
     return planned;
   }
 
-  world.setGripperWidth(target.open_width);
+  world.setGripperWidth(target.opening);
   planned.departure = planDeparture(arm_, world, joints, touching(world), parameters_.planning);
   if (!planned.departure.possible) {
     planned.refused = planned.departure.reason + "; " + recoverHint();
@@ -121,7 +110,7 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, con
   request.target = target;
   request.drops =
       dropTargets(places_[size_t(place)], footprintOf(scene_.mesh(object.name), object.base_from_object),
-                  target.base_from_tcp_grasp, parameters_.drop_gap, parameters_.drop_above);
+                  target.base_from_grasp, parameters_.drop_gap, parameters_.drop_above);
   request.supports = {"table"};
   planned.kept.place = place;
   planned.kept.plan = planPick(arm_, world, request, parameters_.planning);
@@ -142,27 +131,28 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const SceneObject& object, con
   return planned;
 }
 
-WorkResult PlannerWork::drivePick(const SceneObject& object, const PlannedPick& planned,
-                                  const WorkWatch& watch) {
-  const std::vector<PickMotion>& motions = planned.kept.plan.motions;
-  std::vector<Trajectory> shown = trajectoriesOf(motions);
+ActionResult PlannerWork::drivePick(const PlacedObject& object, const PlannedPick& planned,
+                                    const WorkWatch& watch) {
+  const PickPlan& plan = planned.kept.plan;
+  std::vector<Trajectory> shown = trajectoriesOf(plan.motions);
   if (!planned.departure.trajectory.points.empty()) shown.insert(shown.begin(), planned.departure.trajectory);
   watch.show(shown);
-  if (watch.cancelled()) return result(PickResult::CANCELLED, "cancelled before anything moved");
+  if (watch.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
 
   const DriveWatch reach = driveWatch(watch, "reach", false);
-  Drive drive = driver_.openGripper(planned.kept.request.target.open_width, reach);
+  Drive drive = driver_.openGripper(planned.kept.request.target.opening, reach);
   if (drive.done()) drive = driver_.follow(planned.departure.trajectory, reach);
   if (drive.done()) visit_ = {};
-  if (drive.done()) drive = driver_.follow(motions[0].trajectory, reach);
+  if (drive.done()) drive = driver_.follow(plan.motion(PickStage::kReach).trajectory, reach);
   if (!drive.done()) return result(drive);
 
-  visit_ = {object, planned.kept.request.target.open_width};
-  drive = driver_.follow(motions[1].trajectory, driveWatch(watch, "approach", false));
+  visit_ = {object, planned.kept.request.target.opening};
+  drive = driver_.follow(plan.motion(PickStage::kApproach).trajectory, driveWatch(watch, "approach", false));
   if (drive.done()) drive = closeOn(object, planned.kept, driveWatch(watch, "close", false));
-  if (drive.done()) drive = driver_.follow(motions[2].trajectory, driveWatch(watch, "lift", true));
+  if (drive.done())
+    drive = driver_.follow(plan.motion(PickStage::kLift).trajectory, driveWatch(watch, "lift", true));
 
-  if (drive.end == DriveEnd::kLost) {
+  if (drive.outcome == ActionOutcome::kGraspLost) {
     held_.reset();
     keepMemory(std::nullopt);
   }
@@ -171,19 +161,19 @@ WorkResult PlannerWork::drivePick(const SceneObject& object, const PlannedPick& 
   return result(drive);
 }
 
-Drive PlannerWork::closeOn(const SceneObject& object, const KeptPlan& kept, const DriveWatch& watch) {
+Drive PlannerWork::closeOn(const PlacedObject& object, const KeptPlan& kept, const DriveWatch& watch) {
   const PickTarget& target = kept.request.target;
   keepMemory(PickMemory{object, target, ros::Time::now().toSec()});  // before: a crash may come at any time
   const Drive drive =
-      driver_.closeGripper(std::max(0.0, target.grip_width - parameters_.execution.squeeze), watch);
-  if (drive.end == DriveEnd::kFault) return drive;
+      driver_.closeGripper(std::max(0.0, target.part_width - parameters_.execution.squeeze), watch);
+  if (drive.outcome == ActionOutcome::kFault) return drive;
   const GripperState state = driver_.gripper();
-  if (!state.stalled || std::abs(state.width - target.grip_width) > parameters_.execution.width_tolerance) {
+  if (!state.stalled || std::abs(state.width - target.part_width) > parameters_.execution.width_tolerance) {
     std::ostringstream text;
     text.precision(3);
     text << "the gripper closed to " << state.width * 1e3 << " mm" << (state.stalled ? " (stalled)" : "")
-         << " and " << object.label() << " is " << target.grip_width * 1e3 << " mm wide there";
-    return {DriveEnd::kLost, text.str()};
+         << " and " << object.label() << " is " << target.part_width * 1e3 << " mm wide there";
+    return {ActionOutcome::kGraspLost, text.str()};
   }
   hold(object, target, state.width);
   held_->kept = kept;
@@ -194,12 +184,14 @@ Drive PlannerWork::closeOn(const SceneObject& object, const KeptPlan& kept, cons
 bool PlannerWork::keptFits(int place, const JointVector& joints) const {
   if (!held_->kept || held_->kept->place != place) return false;
   const KeptPlan& kept = *held_->kept;
-  const JointVector begin = kept.plan.motions[3].trajectory.points.front().position;
+  const JointVector begin = kept.plan.motion(PickStage::kCarry).trajectory.points.front().position;
   if ((joints - begin).cwiseAbs().maxCoeff() > parameters_.execution.start_tolerance) return false;
-  const std::vector<CollisionWorld> worlds =
-      worldsOf(scene_.world(held_->object, place, inHand(joints)), kept.request, kept.plan);
-  for (size_t i = 3; i < kept.plan.motions.size(); ++i)
-    if (!firstCollision(worlds[i], kept.plan.motions[i].trajectory, kRecheck).first.empty()) return false;
+
+  const CollisionWorld now = scene_.world(held_->object, place, inHand(joints));
+  for (const PickStage stage : {PickStage::kCarry, PickStage::kLower, PickStage::kRetreat}) {
+    const CollisionWorld world = worldOf(stage, now, kept.request, kept.plan);
+    if (!firstCollision(world, kept.plan.motion(stage).trajectory, kRecheck).first.empty()) return false;
+  }
   return true;
 }
 
@@ -208,30 +200,30 @@ PickPlan PlannerWork::planThePlace(int place, const JointVector& joints, bool fr
   request.start = joints;
   request.object = held_->object.label();
   request.tcp_from_object = held_->tcp_from_object;
-  request.open_width = held_->target.open_width;
-  request.grip_width = held_->target.grip_width;
+  request.opening = held_->target.opening;
+  request.part_width = held_->target.part_width;
   request.supports = {"table"};
-  request.drops = dropTargets(
-      places_[size_t(place)], footprintOf(scene_.mesh(held_->object.name), held_->object.base_from_object),
-      held_->target.base_from_tcp_grasp, parameters_.drop_gap, parameters_.drop_above);
+  request.drops = dropTargets(places_[size_t(place)],
+                              footprintOf(scene_.mesh(held_->object.name), held_->object.base_from_object),
+                              held_->target.base_from_grasp, parameters_.drop_gap, parameters_.drop_above);
   const CollisionWorld world = scene_.world(held_->object, free ? place : -1, inHand(joints));
   return planPlace(arm_, world, request, parameters_.planning);
 }
 
-WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
+ActionResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   driver_.resetMotionTime();
   if (goal.place < 0 || goal.place >= int(places_.size()))
-    return result(PickResult::UNREACHABLE, noPlace(goal.place, places_.size()));
+    return result(ActionOutcome::kUnreachable, noPlace(goal.place, places_.size()));
 
   recall();
   if (!held_)
     return result(
-        PickResult::GRASP_LOST,
+        ActionOutcome::kGraspLost,
         "the gripper holds nothing that was picked" +
             (holdsSomething(driver_.gripper()) ? ", and is not empty: " + recoverHint() : std::string()));
   if (const std::string gone = lost(driver_.gripper()); !gone.empty()) {
     held_.reset();
-    return result(PickResult::GRASP_LOST, gone);
+    return result(ActionOutcome::kGraspLost, gone);
   }
 
   watch.say("plan", 0);
@@ -239,8 +231,7 @@ WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   const JointVector joints = start();
   PickPlan plan;
   if (keptFits(goal.place, joints)) {
-    plan = held_->kept->plan;
-    plan.motions.erase(plan.motions.begin(), plan.motions.begin() + 3);
+    plan = afterLift(held_->kept->plan);
   } else {
     plan = planThePlace(goal.place, joints);
   }
@@ -248,39 +239,40 @@ WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   const double planning_time = secondsSince(begin);
   watch.say("plan", 1);
 
-  WorkResult done = plan.planned() ? drivePlace(goal.place, plan.motions, watch)
-                                   : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
-  if (plan.outcome == PickOutcome::kStartInCollision) done.reason += "; " + recoverHint();
-  done.planning_time = planning_time;
-  return done;
+  ActionResult ended = plan.planned()
+                           ? drivePlace(goal.place, plan, watch)
+                           : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  if (plan.outcome == PickOutcome::kStartInCollision) ended.reason += "; " + recoverHint();
+  ended.planning_time = planning_time;
+  return ended;
 }
 
-WorkResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& motions,
-                                   const WorkWatch& watch) {
-  watch.show(trajectoriesOf(motions));
-  if (watch.cancelled()) return result(PickResult::CANCELLED, "cancelled before anything moved");
+ActionResult PlannerWork::drivePlace(int place, const PickPlan& plan, const WorkWatch& watch) {
+  watch.show(trajectoriesOf(plan.motions));
+  if (watch.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
   Drive drive;
-  for (const PickMotion& motion : motions) {
+  for (const PickMotion& motion : plan.motions) {
     if (motion.stage == PickStage::kRetreat) continue;
     const char* stage = motion.stage == PickStage::kLower ? "lower" : "carry";
     drive = driver_.follow(motion.trajectory, driveWatch(watch, stage, true));
-    if (drive.end == DriveEnd::kLost) held_.reset();
+    if (drive.outcome == ActionOutcome::kGraspLost) held_.reset();
     if (!drive.done()) return result(drive);
   }
 
-  SceneObject object = held_->object;
-  object.base_from_object = arm_.baseFromTcp(motions[motions.size() - 2].trajectory.points.back().position) *
-                            held_->tcp_from_object;
+  PlacedObject object = held_->object;
+  const JointVector lowered = plan.motion(PickStage::kLower).trajectory.points.back().position;
+  object.base_from_object = arm_.baseFromTcp(lowered) * held_->tcp_from_object;
   object.base_from_object.translation.z() -= parameters_.drop_gap;
-  const double opening = held_->target.open_width;
+  const double opening = held_->target.opening;
   visit_ = {object, opening};
   drive = driver_.openGripper(opening, driveWatch(watch, "open", false));
-  if (drive.end == DriveEnd::kFault) return result(drive);
+  if (drive.outcome == ActionOutcome::kFault) return result(drive);
 
   held_.reset();
   keepMemory(std::nullopt);
   scene_.putDown(place, object);
-  if (drive.done()) drive = driver_.follow(motions.back().trajectory, driveWatch(watch, "retreat", false));
+  if (drive.done())
+    drive = driver_.follow(plan.motion(PickStage::kRetreat).trajectory, driveWatch(watch, "retreat", false));
   if (drive.done()) visit_ = {};
   return result(drive);
 }

@@ -36,20 +36,20 @@ void PlannerWork::recall() {
   const std::optional<PickMemory> memory = keptMemory();
   if (!memory || !scene_.knows(memory->object.name)) return;
   if (memory->stamp > ros::Time::now().toSec() + parameters_.execution.joint_silence) return;  // another run
-  const double off = std::abs(gripper.width - memory->target.grip_width);
+  const double off = std::abs(gripper.width - memory->target.part_width);
   if (holdsSomething(gripper) && off <= parameters_.execution.width_tolerance) {
     ROS_INFO("the gripper holds %s, picked before this node started", memory->object.label().c_str());
     hold(memory->object, memory->target, gripper.width);
   } else {
-    visit_ = {memory->object, memory->target.open_width};
+    visit_ = {memory->object, memory->target.opening};
   }
 }
 
-void PlannerWork::hold(const SceneObject& object, const PickTarget& target, double width) {
+void PlannerWork::hold(const PlacedObject& object, const PickTarget& target, double width) {
   Held held;
   held.object = object;
   held.target = target;
-  held.tcp_from_object = target.base_from_tcp_grasp.inverse() * object.base_from_object;
+  held.tcp_from_object = target.base_from_grasp.inverse() * object.base_from_object;
   held.width = width;
   held_ = held;
 }
@@ -60,19 +60,20 @@ void PlannerWork::holdUnknown(const GripperState& gripper, const JointVector& jo
   scene_.learnBox(kUnknownPart, {kUnknownLength, std::max(gripper.width, 1e-3), length});
   PickTarget target;
   target.object = std::string(kUnknownPart) + " 0";
-  target.base_from_tcp_grasp = arm_.baseFromTcp(joints);
-  target.base_from_tcp_grasp.translation.z() = parameters_.table.z + kUnknownBefore;
-  target.base_from_tcp_before = target.base_from_tcp_after = target.base_from_tcp_grasp;
-  target.grip_width = gripper.width;
-  target.open_width = description_.gripper_width_max;
-  SceneObject object{kUnknownPart, 0, target.base_from_tcp_grasp};
+  target.base_from_grasp = arm_.baseFromTcp(joints);
+  target.base_from_grasp.translation.z() = parameters_.table.z + kUnknownBefore;
+  target.base_from_pregrasp = target.base_from_lift = target.base_from_grasp;
+  target.part_width = gripper.width;
+  target.opening = description_.gripper_width_max;
+  PlacedObject object{kUnknownPart, 0, target.base_from_grasp};
   object.base_from_object.translation +=
-      target.base_from_tcp_grasp.rotation.col(2) * (kUnknownBefore - kUnknownBehind) / 2;
+      target.base_from_grasp.rotation.col(2) * (kUnknownBefore - kUnknownBehind) / 2;
   hold(object, target, gripper.width);
 }
 
 CollisionWorld PlannerWork::worldNow(const JointVector& joints, double gripper_width) const {
-  const std::optional<SceneObject> subject = held_ ? std::optional<SceneObject>(held_->object) : std::nullopt;
+  const std::optional<PlacedObject> subject =
+      held_ ? std::optional<PlacedObject>(held_->object) : std::nullopt;
   CollisionWorld world = scene_.world(subject, -1, inHand(joints));
   if (held_) world.attach(held_->object.label(), held_->tcp_from_object);
   world.setGripperWidth(gripper_width);
@@ -80,7 +81,7 @@ CollisionWorld PlannerWork::worldNow(const JointVector& joints, double gripper_w
 }
 
 /// To the first place of the drop zone where nothing is known to stand.
-WorkResult PlannerWork::putDownSomewhere(const WorkWatch& watch, std::string* said) {
+ActionResult PlannerWork::putDownSomewhere(const WorkWatch& watch, std::string* said) {
   const std::string label = held_->object.label();
   const JointVector joints = start();
   std::string last = "the drop zone has no place";
@@ -91,21 +92,22 @@ WorkResult PlannerWork::putDownSomewhere(const WorkWatch& watch, std::string* sa
       continue;
     }
     *said += "put down " + label + " at place " + std::to_string(place) + "; ";
-    return drivePlace(int(place), plan.motions, watch);
+    return drivePlace(int(place), plan, watch);
   }
-  return result(PickResult::UNREACHABLE, *said + "no free place for " + label + " can be reached: " + last);
+  return result(ActionOutcome::kUnreachable,
+                *said + "no free place for " + label + " can be reached: " + last);
 }
 
-WorkResult PlannerWork::openHere(const WorkWatch& watch, std::string* said) {
+ActionResult PlannerWork::openHere(const WorkWatch& watch, std::string* said) {
   const JointVector joints = start();
   const double now = driver_.gripper().width;
   const double opening = freeOpening(worldNow(joints, now), joints, description_.gripper_width_max);
   *said += "opened the gripper";
-  if (opening <= now + parameters_.execution.open_tolerance) return result(PickResult::DONE, "");
+  if (opening <= now + parameters_.execution.open_tolerance) return result(ActionOutcome::kDone, "");
   return result(driver_.openGripper(opening, driveWatch(watch, "open", false)));
 }
 
-WorkResult PlannerWork::recover(const WorkWatch& watch) {
+ActionResult PlannerWork::recover(const WorkWatch& watch) {
   driver_.resetMotionTime();
   recall();
   watch.say("plan", 0);
@@ -124,29 +126,29 @@ WorkResult PlannerWork::recover(const WorkWatch& watch) {
   watch.say("plan", 1);
 
   std::string said;
-  WorkResult done = result(PickResult::DONE, "");
+  ActionResult ended = result(ActionOutcome::kDone, "");
   if (!departure.possible) {
-    done = result(PickResult::IN_COLLISION, departure.reason + "; move the arm away by hand");
+    ended = result(ActionOutcome::kInCollision, departure.reason + "; move the arm away by hand");
   } else if (!departure.trajectory.points.empty()) {
     watch.show({departure.trajectory});
     const double way =
         (arm_.baseFromTcp(departure.end).translation - arm_.baseFromTcp(joints).translation).norm();
     said = "backed off by " + millimetres(way) + "; ";
-    done = result(driver_.follow(departure.trajectory, driveWatch(watch, "withdraw", held_.has_value())));
+    ended = result(driver_.follow(departure.trajectory, driveWatch(watch, "withdraw", held_.has_value())));
   }
 
-  if (done.outcome == PickResult::DONE) {
+  if (ended.done()) {
     const bool holds = held_.has_value();
     if (!holds) visit_ = {};
-    done = holds ? putDownSomewhere(watch, &said) : openHere(watch, &said);
-    if (done.outcome == PickResult::DONE && holds) said += "opened the gripper";
+    ended = holds ? putDownSomewhere(watch, &said) : openHere(watch, &said);
+    if (ended.done() && holds) said += "opened the gripper";
   }
-  if (done.outcome == PickResult::DONE) {
-    done.reason = said;
+  if (ended.done()) {
+    ended.reason = said;
     keepMemory(std::nullopt);
   }
-  done.planning_time = planning_time;
-  return done;
+  ended.planning_time = planning_time;
+  return ended;
 }
 
 }  // namespace monocular_eye_hand

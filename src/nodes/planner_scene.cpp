@@ -7,7 +7,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-std::string placeLabel(const SceneObject& object, int place) {
+std::string placeLabel(const PlacedObject& object, int place) {
   return object.name + " at place " + std::to_string(place);
 }
 
@@ -59,73 +59,73 @@ std::string PlannerScene::names() const {
   return names;
 }
 
-Eigen::Vector3d PlannerScene::centre(const SceneObject& object) const {
+Eigen::Vector3d PlannerScene::centre(const PlacedObject& object) const {
   return object.base_from_object * meshes_.at(object.name).centre;
 }
 
 /// Two poses of one thing: its views differ by less than half of its smallest side.
-bool PlannerScene::same(const SceneObject& a, const SceneObject& b) const {
+bool PlannerScene::same(const PlacedObject& a, const PlacedObject& b) const {
   return a.name == b.name && (centre(a) - centre(b)).norm() < meshes_.at(a.name).smallest / 2;
 }
 
 /// Something is seen where one thing is remembered; its like may have been pushed or turned a little.
-bool PlannerScene::standsAt(const SceneObject& other, const SceneObject& remembered) const {
+bool PlannerScene::standsAt(const PlacedObject& other, const PlacedObject& remembered) const {
   const Shape& shape = meshes_.at(remembered.name);
   const double distance = (centre(other) - centre(remembered)).norm();
   return distance < (other.name == remembered.name ? shape.radius : shape.smallest / 2);
 }
 
-std::vector<std::string> PlannerScene::see(const std::vector<SceneObject>& objects) {
+std::vector<std::string> PlannerScene::see(const std::vector<PlacedObject>& objects) {
   seen_.clear();
   std::vector<std::string> unknown;
-  for (const SceneObject& object : objects)
+  for (const PlacedObject& object : objects)
     if (knows(object.name) && object.base_from_object.isFinite())
       seen_.push_back(object);
     else
       unknown.push_back(object.label());
   for (auto& entry : placed_)  // what is seen again is known better now
-    for (const SceneObject& object : seen_)
+    for (const PlacedObject& object : seen_)
       if (same(object, entry.second)) entry.second.base_from_object = object.base_from_object;
   return unknown;
 }
 
-CollisionWorld PlannerScene::world(const std::optional<SceneObject>& subject, int free_place,
-                                   const std::optional<SceneObject>& in_hand) const {
+CollisionWorld PlannerScene::world(const std::optional<PlacedObject>& subject, int free_place,
+                                   const std::optional<PlacedObject>& in_hand) const {
   CollisionWorld world = bare_;
-  const auto add = [&](const std::string& label, const SceneObject& object) {
+  const auto add = [&](const std::string& label, const PlacedObject& object) {
     if (!world.has(label)) world.addMesh(label, mesh(object.name), object.base_from_object);
   };
   if (subject) add(subject->label(), *subject);
-  const auto is_subject = [&](const SceneObject& object) {
+  const auto is_subject = [&](const PlacedObject& object) {
     return (subject && (object.label() == subject->label() || same(object, *subject))) ||
            (in_hand && object.name == in_hand->name && standsAt(object, *in_hand));
   };
-  for (const SceneObject& object : seen_)
+  for (const PlacedObject& object : seen_)
     if (!is_subject(object)) add(object.label(), object);
   for (const auto& entry : placed_) {
     if (entry.first == free_place) continue;
-    const SceneObject& object = entry.second;
-    const auto here = [&](const SceneObject& other) { return standsAt(other, object); };
+    const PlacedObject& object = entry.second;
+    const auto here = [&](const PlacedObject& other) { return standsAt(other, object); };
     if (std::any_of(seen_.begin(), seen_.end(), here) || (subject && here(*subject))) continue;
     add(placeLabel(object, entry.first), object);
   }
   return world;
 }
 
-std::vector<std::string> PlannerScene::labels(const SceneObject& object) const {
+std::vector<std::string> PlannerScene::labels(const PlacedObject& object) const {
   std::vector<std::string> labels{object.label()};
-  for (const SceneObject& other : seen_)
+  for (const PlacedObject& other : seen_)
     if (standsAt(other, object)) labels.push_back(other.label());
   for (const auto& entry : placed_)
     if (standsAt(object, entry.second)) labels.push_back(placeLabel(entry.second, entry.first));
   return labels;
 }
 
-void PlannerScene::takeAway(const SceneObject& object) {
+void PlannerScene::takeAway(const PlacedObject& object) {
   for (auto entry = placed_.begin(); entry != placed_.end();)
     entry = standsAt(object, entry->second) ? placed_.erase(entry) : std::next(entry);
 }
 
-void PlannerScene::putDown(int place, const SceneObject& object) { placed_[place] = object; }
+void PlannerScene::putDown(int place, const PlacedObject& object) { placed_[place] = object; }
 
 }  // namespace monocular_eye_hand

@@ -11,7 +11,7 @@
 namespace monocular_eye_hand {
 
 /// A known object and where it stands.
-struct SceneObject {
+struct PlacedObject {
   std::string name;  ///< in the model base
   int instance = 0;
   Rigid3 base_from_object;
@@ -32,21 +32,21 @@ class PlannerScene {
   void learnBox(const std::string& name, const Eigen::Vector3d& size);
   const Mesh& mesh(const std::string& name) const { return meshes_.at(name).mesh; }
   /// All that eye-hand knows now; objects that are not in the model base are left out and returned by name.
-  std::vector<std::string> see(const std::vector<SceneObject>& objects);
-  const std::vector<SceneObject>& seen() const { return seen_; }
+  std::vector<std::string> see(const std::vector<PlacedObject>& objects);
+  const std::vector<PlacedObject>& seen() const { return seen_; }
 
   /// Everything, with `subject` (about to be grasped, or held) at its own pose instead of wherever else it is
   /// known to be. Nothing is carried. `free_place`: the caller says that this place is free; only what is
   /// seen there counts. `in_hand`: the subject as it is held now, which the camera may see there.
-  CollisionWorld world(const std::optional<SceneObject>& subject, int free_place = -1,
-                       const std::optional<SceneObject>& in_hand = std::nullopt) const;
+  CollisionWorld world(const std::optional<PlacedObject>& subject, int free_place = -1,
+                       const std::optional<PlacedObject>& in_hand = std::nullopt) const;
 
   /// All names that the world may have for an object that stands there.
-  std::vector<std::string> labels(const SceneObject& object) const;
+  std::vector<std::string> labels(const PlacedObject& object) const;
   /// The object stands at that place of the drop zone from now on, and nothing else does.
-  void putDown(int place, const SceneObject& object);
+  void putDown(int place, const PlacedObject& object);
   /// The object was taken from where it stood.
-  void takeAway(const SceneObject& object);
+  void takeAway(const PlacedObject& object);
   size_t remembered() const { return placed_.size(); }
 
  private:
@@ -56,14 +56,14 @@ class PlannerScene {
     double radius = 0, smallest = 0;  // half the bounding box's diagonal, its smallest side [m]
   };
   static Shape shapeOf(Mesh mesh);
-  Eigen::Vector3d centre(const SceneObject& object) const;
-  bool same(const SceneObject& a, const SceneObject& b) const;
-  bool standsAt(const SceneObject& other, const SceneObject& remembered) const;
+  Eigen::Vector3d centre(const PlacedObject& object) const;
+  bool same(const PlacedObject& a, const PlacedObject& b) const;
+  bool standsAt(const PlacedObject& other, const PlacedObject& remembered) const;
 
   const CollisionWorld bare_;
   std::map<std::string, Shape> meshes_;
-  std::vector<SceneObject> seen_;
-  std::map<int, SceneObject> placed_;
+  std::vector<PlacedObject> seen_;
+  std::map<int, PlacedObject> placed_;
 };
 
 }  // namespace monocular_eye_hand

@@ -21,12 +21,12 @@ void requireRequest(const CollisionWorld& world, const ToolArm& arm, const PickR
   if (!request.start.allFinite()) throw BadInput("the start joints are not finite");
   if (!arm.arm.withinLimits(request.start)) throw BadInput("the start joints are outside their limits");
   if (request.drops.empty()) throw BadInput("there is no drop pose");
-  bool finite = target.base_from_tcp_before.isFinite() && target.base_from_tcp_grasp.isFinite() &&
-                target.base_from_tcp_after.isFinite();
+  bool finite = target.base_from_pregrasp.isFinite() && target.base_from_grasp.isFinite() &&
+                target.base_from_lift.isFinite();
   for (const DropTarget& drop : request.drops)
     finite &= drop.base_from_tcp.isFinite() && drop.base_from_tcp_above.isFinite();
   if (!finite) throw BadInput("a pose of gripper_tcp is not finite");
-  for (double width : {target.open_width, target.grip_width})
+  for (double width : {target.opening, target.part_width})
     if (!(width >= 0 && width <= 1)) throw BadInput("the gripper's width must be 0 to 1 m");
 }
 
@@ -48,7 +48,7 @@ class Planner {
   PickPlan run() {
     const PickTarget& target = request_.target;
     const auto solutions =
-        solutionsByTime(arm_, target.base_from_tcp_before, request_.start, options_.candidates);
+        solutionsByTime(arm_, target.base_from_pregrasp, request_.start, options_.candidates);
     if (solutions.empty())
       failure_.tell(PickOutcome::kGraspUnreachable, "pre-grasp: out of reach or joint limits");
     for (const JointVector& before : solutions) {
@@ -108,7 +108,7 @@ class Planner {
   }
 
   void compose(const JointPath& reach, const GraspWay& way, const JointPath& carry, const DropWay& put) {
-    const double open = request_.target.open_width, grip = request_.target.grip_width;
+    const double open = request_.target.opening, grip = request_.target.part_width;
     const CollisionWorld& released = released_[plan_.drop];
     add(PickStage::kReach, reach.points, worlds_.reach, open, options_.timing);
     add(PickStage::kApproach, way.approach, worlds_.approach, open, near_timing_);
@@ -159,6 +159,26 @@ std::string name(PickOutcome outcome) {
   return "unknown";
 }
 
+ActionOutcome outcomeOf(PickOutcome outcome) {
+  switch (outcome) {
+    case PickOutcome::kPlanned:
+      return ActionOutcome::kDone;
+    case PickOutcome::kStartInCollision:
+    case PickOutcome::kGraspInCollision:
+    case PickOutcome::kApproachBlocked:
+    case PickOutcome::kLiftBlocked:
+    case PickOutcome::kDropInCollision:
+    case PickOutcome::kLoweringBlocked:
+      return ActionOutcome::kInCollision;
+    case PickOutcome::kGraspUnreachable:
+    case PickOutcome::kNoPathToGrasp:
+    case PickOutcome::kDropUnreachable:
+    case PickOutcome::kNoPathToDrop:
+      break;
+  }
+  return ActionOutcome::kUnreachable;
+}
+
 std::string name(PickStage stage) {
   switch (stage) {
     case PickStage::kReach:
@@ -177,6 +197,12 @@ std::string name(PickStage stage) {
   return "unknown";
 }
 
+const PickMotion& PickPlan::motion(PickStage stage) const {
+  for (const PickMotion& motion : motions)
+    if (motion.stage == stage) return motion;
+  throw BadInput("the plan has no motion \"" + name(stage) + "\"");
+}
+
 double PickPlan::duration() const {
   double sum = 0;
   for (const PickMotion& motion : motions) sum += motion.trajectory.duration();
@@ -189,7 +215,7 @@ PickPlan planPick(const ToolArm& arm, const CollisionWorld& world, const PickReq
   requireRequest(world, arm, request);
   // An arm that stands nearer to something than the padding must be able to leave.
   CollisionWorld start = world;
-  start.setGripperWidth(request.target.open_width);
+  start.setGripperWidth(request.target.opening);
   double padding = options.padding;
   for (start.setPadding(padding); !start.valid(request.start); start.setPadding(padding)) {
     if (padding <= options.near_padding) {
@@ -203,12 +229,24 @@ PickPlan planPick(const ToolArm& arm, const CollisionWorld& world, const PickReq
   return Planner(arm, world, request, options, padding).run();
 }
 
-std::vector<CollisionWorld> worldsOf(const CollisionWorld& world, const PickRequest& request,
-                                     const PickPlan& plan) {
+CollisionWorld worldOf(PickStage stage, const CollisionWorld& world, const PickRequest& request,
+                       const PickPlan& plan) {
   if (!plan.planned()) throw BadInput("a pick that is not planned has no motions");
   const PickWorlds worlds(world, request, 0, 0);
-  return {worlds.reach, worlds.approach, worlds.lift,
-          worlds.carry, worlds.lift,     worlds.released(request, request.drops.at(plan.drop), 0)};
+  switch (stage) {
+    case PickStage::kReach:
+      return worlds.reach;
+    case PickStage::kApproach:
+      return worlds.approach;
+    case PickStage::kLift:
+    case PickStage::kLower:
+      return worlds.lift;
+    case PickStage::kCarry:
+      return worlds.carry;
+    case PickStage::kRetreat:
+      break;
+  }
+  return worlds.released(request, request.drops.at(plan.drop), 0);
 }
 
 }  // namespace monocular_eye_hand

@@ -218,13 +218,13 @@ void hypothesesFromEdges(const SearchTask& task, int object, const std::vector<i
   const RulerSearch search{image, model, range, rulers};
 
   FlatCandidates flat{image};
-  gather(&flat, budget, [&](const Share& share, WorkBudget* part, FlatCandidates* found) {
+  gather(&flat, budget, [&](const WorkShare& share, WorkBudget* part, FlatCandidates* found) {
     for (int r = share.first; r < int(rulers.size()) && !part->spent(); r += share.step)
       search.lay(r, found, part);
   });
 
   const std::vector<FlatCandidate> candidates = flat.best.all();
-  gather(pool, budget, [&](const Share& share, WorkBudget* part, HypothesisPool* best) {
+  gather(pool, budget, [&](const WorkShare& share, WorkBudget* part, HypothesisPool* best) {
     for (size_t i = size_t(share.first); i < candidates.size(); i += size_t(share.step)) {
       const FlatCandidate& c = candidates[i];
       const Anchor& anchor = model.levels()[size_t(c.level)].anchors[size_t(c.anchor)];

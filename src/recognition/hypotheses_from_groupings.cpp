@@ -79,7 +79,7 @@ void hypothesesFromGroupings(const SearchTask& task, int object, HypothesisPool*
   const SearchModel& model = task.models[size_t(object)];
   const DistanceRange range = searchedDistances(task, model.model());
   const std::vector<RankedGrouping> ranked = rankGroupings(image, object, model, range);
-  gather(pool, budget, [&](const Share& share, WorkBudget* part, HypothesisPool* best) {
+  gather(pool, budget, [&](const WorkShare& share, WorkBudget* part, HypothesisPool* best) {
     for (size_t i = size_t(share.first); i < ranked.size(); i += size_t(share.step))
       offerGrouping(image, ranked[i], model, range, best, part);
   });

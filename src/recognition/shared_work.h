@@ -46,7 +46,7 @@ void inParts(int count, int later, WorkBudget* budget, const Work& work) {
 }
 
 /// One of several that share some work: it takes the pieces first, first + step, first + 2 step ...
-struct Share {
+struct WorkShare {
   int first = 0, step = 1;
 };
 
@@ -57,7 +57,7 @@ void gather(Best* best, WorkBudget* budget, const Work& work) {
   const int shares = budget->limited() ? 1 : threadsHere();
   std::vector<Best> others(size_t(shares) - 1, best->emptied());
   inParts(shares, 0, budget, [&](int i, WorkBudget* part) {
-    work(Share{i, shares}, part, i == 0 ? best : &others[size_t(i) - 1]);
+    work(WorkShare{i, shares}, part, i == 0 ? best : &others[size_t(i) - 1]);
   });
   for (Best& other : others) best->add(std::move(other));
 }

@@ -60,8 +60,8 @@ std::vector<Piece> between(const Mesh& mesh, const Rigid3& tcp_from_object, cons
 }
 
 /// The pad at `side` (+1, -1) times y.
-PadContact padContact(const std::vector<Piece>& pieces, double side) {
-  PadContact contact;
+PadTouch padContact(const std::vector<Piece>& pieces, double side) {
+  PadTouch contact;
   double outermost = -std::numeric_limits<double>::infinity();
   for (const Piece& piece : pieces)
     for (const Eigen::Vector3d& p : piece.polygon) outermost = std::max(outermost, side * p.y());

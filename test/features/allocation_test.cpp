@@ -41,7 +41,7 @@ struct View {
 View polygons() {
   View view{{}, testCamera(320, 240)};
   std::mt19937 g(3);
-  Scene scene(90);
+  SyntheticScene scene(90);
   for (int k = 0; k < 16; ++k)
     scene.add(randomPolygon(&g, {uniform(&g, 20, 300), uniform(&g, 20, 220)}, uniform(&g, 10, 60), 3 + k % 4,
                             uniform(&g, 20, 240)));
@@ -53,7 +53,7 @@ View polygons() {
 View ellipsesOnTexture(const Camera& camera) {
   View view{{}, camera};
   std::mt19937 g(5);
-  Scene scene(120);
+  SyntheticScene scene(120);
   for (int k = 0; k < 500; ++k)
     scene.add(
         FilledEllipse{{{uniform(&g, 0, 320), uniform(&g, 0, 240)}, 3, uniform(&g, 1, 3), uniform(&g, 0, 3)},

@@ -63,7 +63,7 @@ TEST(DetectFeatures, NoiseAloneIsNoStructure) {
   const Camera camera = testCamera(640, 480);
   std::mt19937 g(11);
   for (double noise : {1.0, 3.0, 10.0}) {
-    const FeatureSet features = detectFeatures(Scene(120).render(camera, noise, &g), camera);
+    const FeatureSet features = detectFeatures(SyntheticScene(120).render(camera, noise, &g), camera);
     EXPECT_LE(features.traces.size(), 3u) << noise;
     EXPECT_LE(features.segments.size(), 3u) << noise;
     EXPECT_EQ(features.ellipses.size(), 0u) << noise;
@@ -74,7 +74,7 @@ TEST(DetectFeatures, NoiseIsMeasured) {
   const Camera camera = testCamera(200, 150);
   std::mt19937 g(13);
   for (double noise : {1.0, 2.0, 5.0, 12.0}) {
-    Scene scene(120);
+    SyntheticScene scene(120);
     scene.add(randomPolygon(&g, {100, 75}, 50, 5, 180));
     const double expected =
         std::hypot(noise, std::sqrt(1 / 12.0));  // rounding to whole grey levels adds its own
@@ -85,7 +85,7 @@ TEST(DetectFeatures, NoiseIsMeasured) {
 TEST(DetectFeatures, SameInputSameOutput) {
   const Camera camera = testCamera(320, 240);
   std::mt19937 g(17);
-  Scene scene(90);
+  SyntheticScene scene(90);
   for (int k = 0; k < 6; ++k)
     scene.add(randomPolygon(&g, {uniform(&g, 40, 280), uniform(&g, 40, 200)}, 35, 5, uniform(&g, 20, 240)));
   const cv::Mat image = scene.render(camera, 4, &g);
@@ -105,7 +105,7 @@ TEST(DetectFeatures, SameInputSameOutput) {
 
 TEST(FeatureDetector, LeavesTheSetAloneWhenTheInputIsBad) {
   std::mt19937 g(18);
-  Scene scene(90);
+  SyntheticScene scene(90);
   scene.add(randomPolygon(&g, {80, 60}, 40, 4, 200));
   const Camera camera = testCamera(160, 120);
   const cv::Mat image = scene.render(camera, 1, &g);
@@ -166,7 +166,7 @@ void expectConsistent(const FeatureSet& f) {
 TEST(DetectFeatures, IndicesAreConsistentOnClutter) {
   const Camera camera = testCamera(320, 240);
   std::mt19937 g(19);
-  Scene scene(90);
+  SyntheticScene scene(90);
   for (int k = 0; k < 25; ++k) {
     const Eigen::Vector2d c(uniform(&g, 10, 310), uniform(&g, 10, 230));
     if (k % 2)

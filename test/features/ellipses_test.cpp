@@ -19,7 +19,7 @@ EllipseImage ellipseImage(const Camera& camera, double noise, double smallest, d
                           std::mt19937* g) {
   EllipseImage out;
   const double background = uniform(g, 60, 190);
-  Scene scene(background);
+  SyntheticScene scene(background);
   const double cell_u = camera.width / 4.0, cell_v = camera.height / 3.0;
   for (int k = 0; k < 12; ++k) {
     FilledEllipse e;
@@ -118,7 +118,7 @@ TEST(Ellipses, PartlyHidden) {
   int found = 0;
   constexpr int kTries = 20;
   for (int i = 0; i < kTries; ++i) {
-    Scene scene(70);
+    SyntheticScene scene(70);
     FilledEllipse e;
     e.ellipse = {{120, 100}, uniform(&g, 40, 60), uniform(&g, 25, 38), uniform(&g, -1.5, 1.5)};
     e.grey = 160;
@@ -144,7 +144,7 @@ TEST(Ellipses, HexagonsAreNone) {
   std::mt19937 g(37);
   int ellipses = 0, segments = 0;
   for (int i = 0; i < 10; ++i) {
-    Scene scene(80);
+    SyntheticScene scene(80);
     for (int k = 0; k < 4; ++k)
       scene.add(randomPolygon(&g, {80.0 + 160 * (k % 2), 60.0 + 120 * (k / 2)}, uniform(&g, 18, 45), 6, 190));
     const FeatureSet features = detectFeatures(scene.render(camera, 2, &g), camera);

@@ -66,7 +66,7 @@ void score(const FeatureSet& features, const std::vector<Truth>& truth, Score* t
 // Four polygons per image.
 cv::Mat polygonImage(const Camera& camera, double noise, std::mt19937* g, std::vector<Truth>* truth) {
   const double background = uniform(g, 40, 215);
-  Scene scene(background);
+  SyntheticScene scene(background);
   for (int k = 0; k < 4; ++k) {
     const Eigen::Vector2d centre((0.25 + 0.5 * (k % 2)) * camera.width,
                                  (0.25 + 0.5 * (k / 2)) * camera.height);
@@ -141,7 +141,7 @@ TEST(Segments, DistortedLinesComeOutStraight) {
   camera.model = DistortionModel::kPlumbBob;
   camera.d = {-0.3, 0.1, 0.002, -0.001, 0, 0, 0, 0};
   std::mt19937 g(5);
-  Scene scene(60);
+  SyntheticScene scene(60);
   ConvexPolygon frame;  // sides near the image border, where the distortion bends them by several pixels
   frame.corners = {{12, 12}, {306, 14}, {304, 228}, {14, 224}};
   frame.grey = 180;
@@ -166,7 +166,7 @@ TEST(Segments, DistortedLinesComeOutStraight) {
 TEST(Segments, CollinearPiecesAreJoinedAcrossAGap) {
   const Camera camera = testCamera(320, 240);
   std::mt19937 g(7);
-  Scene scene(50);
+  SyntheticScene scene(50);
   ConvexPolygon box, bar;
   box.corners = {{40, 60.3}, {280, 75.2}, {270, 190}, {45, 200}};
   box.grey = 150;

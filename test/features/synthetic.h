@@ -50,9 +50,9 @@ struct FilledEllipse {
 
 /// Renders shapes over a background, later ones on top: area sampling with 8 x 8 samples per pixel, lens blur
 /// 0.7 px, Gaussian noise. Positions are rectified; the image is distorted as the camera says.
-class Scene {
+class SyntheticScene {
  public:
-  explicit Scene(double background) : background_(background) {}
+  explicit SyntheticScene(double background) : background_(background) {}
   void add(const ConvexPolygon& p) {
     Shape shape{[p](const Eigen::Vector2d& uv) { return p.inside(uv); }, p.grey, p.corners[0], p.corners[0]};
     for (const Eigen::Vector2d& c : p.corners)

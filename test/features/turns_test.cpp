@@ -33,7 +33,7 @@ FeatureSet featuresOf(const cv::Mat& image) {
 
 // Shapes that do not touch, so that no decision between them hangs on a hair.
 cv::Mat apart(double noise, std::mt19937* g) {
-  Scene scene(90);
+  SyntheticScene scene(90);
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 4; ++x) {
       const Eigen::Vector2d c(40 + 80 * x + uniform(g, -4, 4), 40 + 80 * y + uniform(g, -4, 4));

@@ -13,7 +13,7 @@ namespace monocular_eye_hand {
 namespace {
 
 cv::Mat clutter(int width, int height, double noise, std::mt19937* g) {
-  Scene scene(90);
+  SyntheticScene scene(90);
   for (int k = 0; k < 24; ++k) {
     const Eigen::Vector2d c(uniform(g, 0, width), uniform(g, 0, height));
     if (k % 2)

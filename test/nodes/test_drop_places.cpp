@@ -22,9 +22,9 @@ Rigid3 pose(double x, double y, double z, double yaw) {
   return pose;
 }
 
-TEST(Footprint, OfATurnedBlock) {
+TEST(FootprintBox, OfATurnedBlock) {
   const Rigid3 base_from_block = pose(0.5, 0.1, 0.3, 0.4);
-  const Footprint footprint = footprintOf(block(0.12, 0.04, 0.06), base_from_block);
+  const FootprintBox footprint = footprintOf(block(0.12, 0.04, 0.06), base_from_block);
   const Eigen::Vector3d centre = base_from_block * Eigen::Vector3d(0.06, 0.02, 0);
   EXPECT_LT((footprint.centre - centre.head<2>()).norm(), 1e-6);
   EXPECT_NEAR(footprint.yaw, 0.4, 1e-5);
@@ -32,10 +32,10 @@ TEST(Footprint, OfATurnedBlock) {
   EXPECT_NEAR(footprint.width, 0.04, 1e-6);
 }
 
-TEST(Footprint, OfABlockThatStandsOnItsEnd) {
+TEST(FootprintBox, OfABlockThatStandsOnItsEnd) {
   Rigid3 upright = pose(0, 0, 0, 0);
   upright.rotation = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY()).toRotationMatrix();
-  const Footprint footprint = footprintOf(block(0.12, 0.04, 0.06), upright);
+  const FootprintBox footprint = footprintOf(block(0.12, 0.04, 0.06), upright);
   EXPECT_NEAR(footprint.length, 0.06, 1e-6);
   EXPECT_NEAR(footprint.width, 0.04, 1e-6);
 }
@@ -43,7 +43,7 @@ TEST(Footprint, OfABlockThatStandsOnItsEnd) {
 TEST(DropTargets, ThePartStandsAtThePlaceAsItStood) {
   const Mesh mesh = block(0.12, 0.04, 0.06);
   const Rigid3 base_from_block = pose(0.5, 0.1, 0.3, 0.4);
-  const Footprint footprint = footprintOf(mesh, base_from_block);
+  const FootprintBox footprint = footprintOf(mesh, base_from_block);
   Rigid3 grasp = pose(0.52, 0.12, 0.35, 0.4);
   grasp.rotation = grasp.rotation * Eigen::AngleAxisd(2.9, Eigen::Vector3d::UnitX()).toRotationMatrix();
   const Rigid3 tcp_from_block = grasp.inverse() * base_from_block;
@@ -57,7 +57,7 @@ TEST(DropTargets, ThePartStandsAtThePlaceAsItStood) {
     const Rigid3 put = drops[k].base_from_tcp * tcp_from_block;
     EXPECT_NEAR(put.translation.z(), 0.301, 1e-9) << "it stands as high as before, and the gap";
     EXPECT_LT((put.rotation.col(2) - Eigen::Vector3d::UnitZ()).norm(), 1e-9) << "turned about the vertical";
-    const Footprint there = footprintOf(mesh, put);
+    const FootprintBox there = footprintOf(mesh, put);
     EXPECT_LT((there.centre - Eigen::Vector2d(0.4, -0.3)).norm(), 1e-5);
     const double off = std::remainder(there.yaw - 1.5, M_PI);  // the long side has no front
     const double wanted[] = {0, M_PI / 2, M_PI / 4, -M_PI / 4};

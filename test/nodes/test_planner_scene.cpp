@@ -18,8 +18,8 @@ PlannerScene makeScene() {
   return PlannerScene(loadArmDescription(kSource + "/urdf/puma560.urdf"), parameters);
 }
 
-SceneObject bridge(int instance, double x, double y) {
-  SceneObject object{"bridge", instance, {}};
+PlacedObject bridge(int instance, double x, double y) {
+  PlacedObject object{"bridge", instance, {}};
   object.base_from_object.translation = {x, y, 0.3};
   return object;
 }
@@ -29,7 +29,7 @@ using Names = std::vector<std::string>;
 TEST(PlannerScene, HoldsWhatIsSeen) {
   PlannerScene scene = makeScene();
   EXPECT_EQ(scene.world({}).names(), (Names{"table", "post"}));
-  SceneObject unknown = bridge(0, 0.5, 0);
+  PlacedObject unknown = bridge(0, 0.5, 0);
   unknown.name = "teapot";
   EXPECT_EQ(scene.see({bridge(0, 0.5, 0), bridge(1, 0.6, 0.1), unknown}), (Names{"teapot 0"}));
   EXPECT_EQ(scene.world({}).names(), (Names{"table", "post", "bridge 0", "bridge 1"}));
@@ -76,9 +76,9 @@ TEST(PlannerScene, APlaceThatIsSaidToBeFree) {
 
 TEST(PlannerScene, WhatTheCameraSeesInTheHandIsNoObstacle) {
   PlannerScene scene = makeScene();
-  SceneObject lifted = bridge(0, 0.5, 0);
+  PlacedObject lifted = bridge(0, 0.5, 0);
   lifted.base_from_object.translation.z() += 0.1;
-  SceneObject ghost = lifted;
+  PlacedObject ghost = lifted;
   ghost.instance = 3;
   ghost.base_from_object.translation.x() += 0.01;
   scene.see({ghost, bridge(1, 0.6, 0.1)});

@@ -2,16 +2,16 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/arm/action_outcome.h"
 #include "monocular_eye_hand/planning/trajectory.h"
 
 namespace monocular_eye_hand {
 
 /// One way to take hold of an object.
 struct PickTarget {
-  std::string object;  ///< a world object
-  Rigid3 base_from_tcp_before, base_from_tcp_grasp,
-      base_from_tcp_after;                ///< pre-grasp, grasp, end of the lift
-  double open_width = 0, grip_width = 0;  ///< between the finger pads, before and after closing [m]
+  std::string object;                                          ///< a world object
+  Rigid3 base_from_pregrasp, base_from_grasp, base_from_lift;  ///< lift: where it ends
+  double opening = 0, part_width = 0;  ///< between the finger pads, before and after closing [m]
 };
 
 /// Where gripper_tcp lets go; it comes from `above` in a straight line and withdraws as far against its own
@@ -31,7 +31,7 @@ struct PickRequest {
 enum class PickOutcome {
   kPlanned,
   kStartInCollision,
-  kGraspUnreachable,  ///< pre-grasp, grasp or retreat: out of reach, limits, singularity
+  kGraspUnreachable,  ///< pre-grasp, grasp or lift: out of reach, limits, singularity
   kGraspInCollision,  ///< the arm cannot be at the pre-grasp
   kApproachBlocked,
   kLiftBlocked,
@@ -43,6 +43,7 @@ enum class PickOutcome {
 };
 /// "approach blocked" and so on, for messages.
 std::string name(PickOutcome outcome);
+ActionOutcome outcomeOf(PickOutcome outcome);
 
 enum class PickStage { kReach, kApproach, kLift, kCarry, kLower, kRetreat };
 std::string name(PickStage stage);
@@ -61,6 +62,8 @@ struct PickPlan {
   Branch branch;                    ///< posture at the grasp
   int drop = -1;                    ///< PickRequest::drops
   bool planned() const { return outcome == PickOutcome::kPlanned; }
+  /// Throws BadInput when the plan has none of this stage.
+  const PickMotion& motion(PickStage stage) const;
   double duration() const;  ///< of the motions [s]
 };
 
@@ -71,9 +74,9 @@ struct PickPlan {
 PickPlan planPick(const ToolArm& arm, const CollisionWorld& world, const PickRequest& request,
                   const PlanningOptions& options = {});
 
-/// The worlds that planPick() tests its motions in: with true shapes, what is carried attached, and what may
-/// touch allowed. For re-checking a plan; same order as the motions.
-std::vector<CollisionWorld> worldsOf(const CollisionWorld& world, const PickRequest& request,
-                                     const PickPlan& plan);
+/// The world that planPick() tests its motion of this stage in: with true shapes, what is carried attached,
+/// and what may touch allowed. For re-checking a plan. Throws BadInput when nothing is planned.
+CollisionWorld worldOf(PickStage stage, const CollisionWorld& world, const PickRequest& request,
+                       const PickPlan& plan);
 
 }  // namespace monocular_eye_hand

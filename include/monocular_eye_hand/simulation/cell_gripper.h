@@ -21,7 +21,7 @@ GripperPads gripperPads(const ArmDescription& arm);
 Mesh solidMesh(const ArmShape& shape);
 
 /// What one pad meets of a part.
-struct PadContact {
+struct PadTouch {
   bool touched = false;
   double y = 0;            ///< of the outermost point between the pads [m]
   Eigen::Vector3d centre;  ///< of the patch the pad's rubber meets [m]
@@ -30,7 +30,7 @@ struct PadContact {
 };
 
 struct GripContact {
-  PadContact low, high;  ///< the pads at -y and +y
+  PadTouch low, high;  ///< the pads at -y and +y
   double width() const { return high.y - low.y; }
 };
 
