@@ -134,6 +134,7 @@ class Loader {
     if (fingers_.size() != 2)
       throw BadInput("there are " + std::to_string(fingers_.size()) +
                      " prismatic joints, the gripper needs two");
+
     const bool second_mimics = bool(fingers_[1].joint->mimic);
     const Finger& leader = fingers_[second_mimics ? 0 : 1];
     const Finger& follower = fingers_[second_mimics ? 1 : 0];
@@ -147,9 +148,11 @@ class Loader {
     if (!leader.joint->limits || leader.joint->limits->lower != 0 || !(leader.joint->limits->upper > 0))
       throw BadInput("joint " + leader.joint->name +
                      " must have the lower limit 0 (closed) and an upper one above 0");
+
     const double a = sideways(leader, poses), b = sideways(follower, poses);
     if (!(std::abs(std::abs(a) - 1) < 1e-6 && std::abs(a + b) < 1e-6))
       throw BadInput("the finger joints must open along y of gripper_tcp, in opposite directions");
+
     const double total = 1 + mimic->multiplier;
     arm_.links[size_t(leader.link)].finger = 1 / total;
     arm_.links[size_t(follower.link)].finger = mimic->multiplier / total;

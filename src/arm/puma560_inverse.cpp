@@ -126,10 +126,12 @@ class Solver {
     const double n = sign ? across_ : -across_, z = wrist_.z();
     Direction q2{along_ * z - n * reach, along_ * reach + n * z};
     double angle2 = current_[1];
-    if (q2.s == 0 && q2.c == 0)  // folded onto the shoulder: joint 2 is free
+    if (q2.s == 0 && q2.c == 0) {  // folded onto the shoulder: joint 2 is free
       q2 = {std::sin(angle2), std::cos(angle2)};
-    else
-      angle2 = q2.angle(), q2 = q2.unit();
+    } else {
+      angle2 = q2.angle();
+      q2 = q2.unit();
+    }
     const Turns turns2(angle2, o_.joints[1]);
     if (turns2.count() == 0) return;
 
@@ -171,6 +173,7 @@ class Solver {
     if (turns5.count() == 0) return;
     joints_[4] = turns5[0];
     branch.wrist = Wrist::kPositive;
+
     // With q4 = 0, joint 6 does all of it; half a turn of q5 makes Rz(q4) Ry(pi) = Ry(pi) Rz(-q4).
     const double sum = std::atan2(w(1, 0), w(1, 1)), sense = forwards ? 1 : -1;
     const JointLimit &limit4 = o_.joints[3], &limit6 = o_.joints[5];
@@ -179,6 +182,7 @@ class Solver {
                  high4 = forwards ? limit4.upper : -limit4.lower;
     const double lowest = limit6.lower + low4 - kLimitTolerance,
                  highest = limit6.upper + high4 + kLimitTolerance;
+
     for (double k = std::ceil((lowest - sum) / kTurn); sum + kTurn * k <= highest; ++k) {
       const double total = sum + kTurn * k;
       const double low = std::max(low4, total - limit6.upper), high = std::min(high4, total - limit6.lower);

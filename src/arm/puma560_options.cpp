@@ -44,6 +44,7 @@ void Puma560Options::check() const {
   requireLength(d6, "d6", false);
   require(a2 >= 0.01, "a2", a2, "at least 0.01 m");
   require(d4 >= 0.01, "d4", d4, "at least 0.01 m");
+
   for (size_t i = 0; i < joints.size(); ++i) {
     const std::string field = "joints[" + std::to_string(i) + "].";
     try {

@@ -69,6 +69,7 @@ ArmShape readShape(const urdf::Geometry* geometry, const urdf::Pose& origin, con
   ArmShape shape;
   shape.link_from_shape = toRigid(origin);
   if (!geometry) throw BadInput("a shape without <geometry>");
+
   if (geometry->type == urdf::Geometry::BOX) {
     const urdf::Vector3& dim = static_cast<const urdf::Box*>(geometry)->dim;
     shape.kind = ArmShape::Kind::kBox;
@@ -84,6 +85,7 @@ ArmShape readShape(const urdf::Geometry* geometry, const urdf::Pose& origin, con
   } else {
     throw BadInput("a sphere; only boxes, cylinders and meshes are supported");
   }
+
   if (!shape.size.allFinite() || shape.size.minCoeff() <= 0) throw BadInput("a box or cylinder of no size");
   return shape;
 }

@@ -212,10 +212,12 @@ DistortedPixel Camera::distortWithJacobian(const Eigen::Vector2d& uv_rect) const
 Eigen::Vector2d Camera::undistort(const Eigen::Vector2d& uv_raw) const {
   if (!distorted()) return uv_raw;
   const Eigen::Vector2d target((uv_raw.x() - cx) / fx, (uv_raw.y() - cy) / fy);
+
   if (model == DistortionModel::kEquidistant) {
     const Eigen::Vector2d ray = undistortEquidistant(d, target);
     return {fx * ray.x() + cx, fy * ray.y() + cy};
   }
+
   Eigen::Vector2d p = target;
   for (int i = 0; i < 30; ++i) {
     const Distorted at = distortNormalized(*this, p);
@@ -260,6 +262,7 @@ Camera Camera::seenThrough(const PixelWindow& window) const {
     throw BadInput("the region of interest (" + std::to_string(w.width) + "x" + std::to_string(w.height) +
                    " at " + std::to_string(w.x) + ", " + std::to_string(w.y) + ") leaves the camera's " +
                    std::to_string(width) + "x" + std::to_string(height) + " image");
+
   Camera c = *this;
   c.width = w.width / w.bin_x;
   c.height = w.height / w.bin_y;
@@ -267,6 +270,7 @@ Camera Camera::seenThrough(const PixelWindow& window) const {
   c.fy /= w.bin_y;
   c.cx = (cx - w.x + 0.5) / w.bin_x - 0.5;
   c.cy = (cy - w.y + 0.5) / w.bin_y - 0.5;
+
   if (!(c.cx > 0 && c.cx < c.width && c.cy > 0 && c.cy < c.height))
     throw BadInput("the region of interest leaves out the principal point, which is not supported: widen it");
   return c;

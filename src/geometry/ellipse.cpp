@@ -33,10 +33,16 @@ EllipseFromConic ellipseFromConic(const Eigen::Matrix3d& conic) {
   double w = conic(2, 2);
   const double det = m.determinant();
   if (!(det > 1e-14 * m.squaredNorm())) return result;
-  if (m.trace() < 0) m = -m, v = -v, w = -w;
+  if (m.trace() < 0) {
+    m = -m;
+    v = -v;
+    w = -w;
+  }
+
   const Eigen::Vector2d centre = -m.inverse() * v;
   const double level = -(w + v.dot(centre));  // (x - c)^T M (x - c) = level
   if (!(level > 0)) return result;
+
   // Eigenvalues of M; the small one, the long axis', by the determinant, which keeps its digits.
   const double half = 0.5 * (m(1, 1) - m(0, 0));
   const double large = 0.5 * m.trace() + std::hypot(half, m(0, 1)), small = det / large;

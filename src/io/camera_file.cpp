@@ -280,6 +280,7 @@ CameraFile readCameraFile(const std::string& name) {
   const std::string bytes = readFileBytes(path, "a camera calibration", kMostBytes);
   const std::string foreign = foreignContent(bytes);
   if (!foreign.empty()) throw BadInput(path + ": this is " + foreign);
+
   std::string kind;
   try {
     const PlainText plain = plainText(bytes);

@@ -44,6 +44,7 @@ void warnAboutMesh(const RepairedMesh& repaired, ObjectModel* model) {
     warnings.push_back("the diameter is " + plainNumber(1000 * model->diameter) +
                        " mm: is the stated unit right?");
   }
+
   if (repaired.rim_edges > 0) {
     warnings.push_back("the mesh is open: " + std::to_string(repaired.rim_edges) +
                        " edges have only one triangle; faces may be missing");
@@ -60,6 +61,7 @@ void warnAboutMesh(const RepairedMesh& repaired, ObjectModel* model) {
   if (repaired.degenerate > 0) {
     warnings.push_back(std::to_string(repaired.degenerate) + " triangles without area were dropped");
   }
+
   if (model->mesh.triangles.size() > kManyTriangles) {
     warnings.push_back(
         std::to_string(model->mesh.triangles.size()) +
@@ -108,15 +110,18 @@ ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOpt
   options.check();
   ObjectModel model;
   model.name = name;
+
   RepairedMesh repaired = repairMesh(name, mesh, options.weld_tolerance);
   model.mesh = std::move(repaired.mesh);
   for (const Eigen::Vector3d& v : model.mesh.vertices) model.bounds.extend(v);
   model.diameter = meshDiameter(model.mesh.vertices);
   model.closed = repaired.closed;
+
   const Topology topology = buildTopology(model.mesh);
   refuseScan(name, topology, options.sharp_angle);
   SurfaceSplit split = splitSurfaces(model.mesh, topology, options.sharp_angle, repaired.tolerance);
   SharpFeatures features = findFeatures(model.mesh, topology, split, repaired.tolerance, model.diameter);
+
   model.surfaces = std::move(split.surfaces);
   model.surface_of_triangle = std::move(split.surface_of_triangle);
   model.tessellation_error = split.tessellation_error;
@@ -126,6 +131,7 @@ ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOpt
   for (const ModelCircle& c : model.circles) {
     model.tessellation_error = std::max(model.tessellation_error, c.radius * (1 - std::cos(0.5 * c.segment)));
   }
+
   model.rays = std::make_shared<RayScene>(model.mesh);
   model.contour_index = std::make_shared<ContourIndex>(model, topology, split.sharp);
   warnAboutMesh(repaired, &model);

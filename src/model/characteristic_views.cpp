@@ -74,6 +74,7 @@ std::vector<int> mergeViews(const ViewSphere& sphere, const std::vector<std::vec
     b = rootOf(&parent, b);
     parent[std::max(a, b)] = std::min(a, b);
   };
+
   const int n = sphere.directions;
   const double near = std::cos(std::min(kNeighbour * spacing, 1.5));
   for (int i = 0; i < n; ++i) {
@@ -83,6 +84,7 @@ std::vector<int> mergeViews(const ViewSphere& sphere, const std::vector<std::vec
     }
     for (size_t d = 1; d < sphere.distances.size(); ++d) join(int(d - 1) * n + i, int(d) * n + i);
   }
+
   std::vector<int> of_view(sphere.views.size());
   std::map<int, int> number;
   for (size_t k = 0; k < of_view.size(); ++k) {
@@ -137,6 +139,7 @@ ViewSphere sampleViews(const ObjectModel& model, const ViewOptions& options) {
   for (const double ratio : options.distance_ratios) sphere.distances.push_back(ratio * model.diameter);
   std::sort(sphere.distances.begin(), sphere.distances.end());
   sphere.step = stepFor(model, directions, options);
+
   ContourOptions contour;
   contour.step = sphere.step;
   for (const double distance : sphere.distances) {
@@ -148,6 +151,7 @@ ViewSphere sampleViews(const ObjectModel& model, const ViewOptions& options) {
       sphere.views.push_back(std::move(view));
     }
   }
+
   const Lengths lengths = visibleLengths(sphere, model.groupCount());
   const std::vector<double> full = fullLengths(model, lengths, sphere.step);
   std::vector<std::vector<int>> groups(sphere.views.size());
@@ -159,6 +163,7 @@ ViewSphere sampleViews(const ObjectModel& model, const ViewOptions& options) {
       ++views_with_group[g];
     }
   }
+
   const std::vector<int> class_of_view = mergeViews(sphere, groups, options.spacing);
   for (size_t v = 0; v < sphere.views.size(); ++v) {
     sphere.views[v].characteristic_view = class_of_view[v];

@@ -65,12 +65,14 @@ class View {
       c.away.normalize();
       return c;
     }
+
     const bool front0 = n0.dot(view) > 0, front1 = n1.dot(view) > 0;
     c.silhouette = front0 != front1;
     // A concave edge can only be seen between its two surfaces.
     c.shown = convex ? (front0 || front1) && (c.silhouette || dihedral >= options_.min_dihedral)
                      : front0 && front1 && dihedral >= options_.min_dihedral;
     c.silhouette = c.silhouette && convex;
+
     c.away = n0 + n1;
     const double norm = c.away.norm();
     c.away = norm > 1e-3 ? Eigen::Vector3d(c.away / norm) : (front0 ? n0 : n1);
@@ -123,12 +125,14 @@ class View {
     const Eigen::Vector3d y_axis = circle.axis.cross(circle.x_axis);
     const double length = circle.length();
     const Steps steps = circle.full() ? Steps::closed(length, options_.step) : Steps(length, options_.step);
+
     const Eigen::Vector2d &m0 = circle.normal[0], &m1 = circle.normal[1];
     // A hole's true rim lies in the material of the tessellated model: rays start where the mesh's chords
     // are.
     const bool hole = m0.x() + m1.x() < 0;
     const double shrink = hole ? circle.radius * (1 - std::cos(0.5 * circle.segment)) : 0;
     const double start = std::min(index_.start, 0.25 * circle.radius);
+
     for (int k = 0; k < steps.count; ++k) {
       const double angle = circle.start + steps.at(k) / circle.radius;
       const double cosine = std::cos(angle), sine = std::sin(angle);
@@ -137,6 +141,7 @@ class View {
       const Eigen::Vector3d p = circle.centre + circle.radius * radial;
       const Eigen::Vector3d n0 = m0.x() * radial + m0.y() * circle.axis;
       const Eigen::Vector3d n1 = m1.x() * radial + m1.y() * circle.axis;
+
       const bool rim = circle.surface[1] < 0;
       const Crease c =
           judge(p, circle.left ? t : Eigen::Vector3d(-t), n0, n1, rim, circle.convex, circle.dihedral);
@@ -152,12 +157,14 @@ class View {
     const Eigen::Vector3d d = eye_ - wall.point;
     const double x = d.dot(wall.x), y = d.dot(wall.y), distance = std::hypot(x, y);
     if (distance <= wall.radius) return;
+
     const double middle = std::atan2(y, x), half = std::acos(wall.radius / distance);
     for (const double side : {-1.0, 1.0}) {
       double angle = middle + side * half;
       if (angle > kPi) angle -= 2 * kPi;
       if (angle < -kPi) angle += 2 * kPi;
       wall.cover(angle, &intervals_);
+
       const Eigen::Vector3d radial = std::cos(angle) * wall.x + std::sin(angle) * wall.y;
       for (const HeightRange& i : intervals_) {
         const Steps steps(i.high - i.low, options_.step);
@@ -175,6 +182,7 @@ class View {
     double length = 0;
     for (size_t k = 1; k < line.points.size(); ++k) length += (line.points[k] - line.points[k - 1]).norm();
     if (!(length > 0)) return;
+
     const Steps steps(length, options_.step);
     double walked = 0;
     size_t piece = 0;
@@ -185,10 +193,12 @@ class View {
         ++piece;
         size = (line.points[piece + 1] - line.points[piece]).norm();
       }
+
       const double share = size > 0 ? std::clamp((steps.at(k) - walked) / size, 0.0, 1.0) : 0;
       const Eigen::Vector3d p = line.points[piece] + share * (line.points[piece + 1] - line.points[piece]);
       const Eigen::Vector3d n =
           (line.normals[piece] + share * (line.normals[piece + 1] - line.normals[piece]));
+
       // The direction over about one step: single triangles make it jitter.
       size_t before = piece, after = piece + 1;
       while (before > 0 && (line.points[before] - p).norm() < 0.5 * options_.step) --before;

@@ -48,9 +48,11 @@ std::vector<Eigen::Vector3d> hullNormals(const std::vector<Eigen::Vector3d>& poi
   if (points.size() < 4) return {};
   const std::vector<int> t = firstTetrahedron(points);
   if (t.empty()) return {};
+
   std::vector<Face> faces{makeFace(points, t[0], t[1], t[2]), makeFace(points, t[0], t[3], t[1]),
                           makeFace(points, t[1], t[3], t[2]), makeFace(points, t[2], t[3], t[0])};
   const double tolerance = 1e-10 * (points[t[0]] - points[t[1]]).norm();
+
   for (size_t k = 0; k < points.size(); ++k) {
     std::set<std::pair<int, int>> edges;  // of the faces that see the point
     std::vector<Face> kept;
@@ -65,6 +67,7 @@ std::vector<Eigen::Vector3d> hullNormals(const std::vector<Eigen::Vector3d>& poi
       if (!edges.count({to, from})) kept.push_back(makeFace(points, from, to, int(k)));
     faces.swap(kept);
   }
+
   std::vector<Eigen::Vector3d> normals;
   for (const Face& face : faces) normals.push_back(face.normal);
   return normals;
@@ -75,6 +78,7 @@ std::vector<Eigen::Vector2d> planarHull(std::vector<Eigen::Vector2d> points) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   };
   std::sort(points.begin(), points.end(), before);
+
   std::vector<Eigen::Vector2d> hull;
   for (int pass = 0; pass < 2; ++pass) {
     const size_t base = hull.size();

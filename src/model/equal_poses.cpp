@@ -31,7 +31,10 @@ Rigid3 nearestEqualPose(const ObjectModel& model, const Rigid3& pose, const Rigi
   for (const Rigid3& s : model.symmetries.discrete) {
     const Rigid3 equal = turnedTowards(model, pose * s, wanted);
     const double angle = angleBetween(equal.rotation, wanted.rotation);
-    if (angle < least - 1e-9) least = angle, best = equal;
+    if (angle < least - 1e-9) {
+      least = angle;
+      best = equal;
+    }
   }
   return best;
 }

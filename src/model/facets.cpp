@@ -34,6 +34,7 @@ void growFacets(const Mesh& mesh, const Topology& topology, double tolerance, Fa
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return topology.areas[a] > topology.areas[b]; });
+
   for (const int seed : order) {
     if (out->facet_of_triangle[seed] >= 0) continue;
     const int id = int(out->facets.size());
@@ -43,6 +44,7 @@ void growFacets(const Mesh& mesh, const Topology& topology, double tolerance, Fa
     const double reach = std::max(4 * tolerance, 2 * kFlat * std::sqrt(topology.areas[seed]));
     facet.triangles.push_back(seed);
     out->facet_of_triangle[seed] = id;
+
     for (size_t k = 0; k < facet.triangles.size(); ++k) {
       const int t = facet.triangles[k];
       for (const int edge : topology.edges_of_triangle[t]) {
@@ -60,6 +62,7 @@ void growFacets(const Mesh& mesh, const Topology& topology, double tolerance, Fa
         facet.triangles.push_back(other);
       }
     }
+
     for (const int t : facet.triangles) {
       facet.area += topology.areas[t];
       facet.normal += topology.areas[t] * topology.normals[t];
@@ -98,6 +101,7 @@ void judgeCoarseLinks(const Topology& topology, double sharp_angle, Facets* out)
              similar(next.other_width, link.width);
     });
   };
+
   for (size_t f = 0; f < out->facets.size(); ++f) {
     for (const FacetLink& link : out->facets[f].links) {
       if (link.angle < sharp_angle || int(f) > link.facet) continue;
@@ -108,6 +112,7 @@ void judgeCoarseLinks(const Topology& topology, double sharp_angle, Facets* out)
       out->smooth[link.edge] = equal && (continues(int(f), link) || continues(link.facet, back));
     }
   }
+
   for (Facet& facet : out->facets) {
     facet.links.erase(std::remove_if(facet.links.begin(), facet.links.end(),
                                      [&](const FacetLink& l) { return !out->smooth[l.edge]; }),
@@ -120,6 +125,7 @@ void judgeCoarseLinks(const Topology& topology, double sharp_angle, Facets* out)
 Facets findFacets(const Mesh& mesh, const Topology& topology, double sharp_angle, double tolerance) {
   Facets out;
   growFacets(mesh, topology, tolerance, &out);
+
   out.smooth.assign(topology.edges.size(), 0);
   for (size_t k = 0; k < topology.edges.size(); ++k) {
     const MeshEdge& e = topology.edges[k];
@@ -131,6 +137,7 @@ Facets findFacets(const Mesh& mesh, const Topology& topology, double sharp_angle
     out.facets[f0].links.push_back({f1, int(k), e.angle, w0, w1});
     out.facets[f1].links.push_back({f0, int(k), e.angle, w1, w0});
   }
+
   judgeCoarseLinks(topology, sharp_angle, &out);
   for (Facet& facet : out.facets) {
     facet.plane = std::all_of(facet.links.begin(), facet.links.end(),

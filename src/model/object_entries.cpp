@@ -75,6 +75,7 @@ ObjectEntry readEntry(const YAML::Node& node, const std::string& yaml_path, cons
                        ", grasp, obstacle, grasps");
     }
   }
+
   if (entry.name.empty()) throw BadInput(where + ": the key \"name\" is missing");
   if (entry.mesh.empty()) throw BadInput(where + " (" + entry.name + "): the key \"mesh\" is missing");
   struct stat info;
@@ -82,6 +83,7 @@ ObjectEntry readEntry(const YAML::Node& node, const std::string& yaml_path, cons
     throw BadInput(where + " (" + entry.name + "): there is no file " + entry.mesh +
                    "; meshes are looked up from the folder of the YAML file");
   }
+
   try {
     metresPerUnit(entry.unit);
     entry.options.check();
@@ -99,12 +101,14 @@ std::vector<ObjectEntry> readObjectEntries(const std::string& name) {
   struct stat info;
   if (stat(yaml_path.c_str(), &info) != 0)
     throw BadInput(yaml_path + ": there is no such file; check the path");
+
   YAML::Node root;
   try {
     root = YAML::LoadFile(yaml_path);
   } catch (const YAML::Exception& e) {
     throw BadInput(yaml_path + ": " + e.what());
   }
+
   if (!root.IsMap()) throw BadInput(yaml_path + ": the file must hold the key \"objects\" with a list");
   for (const auto& pair : root) {
     if (pair.first.Scalar() != "objects") {
@@ -115,6 +119,7 @@ std::vector<ObjectEntry> readObjectEntries(const std::string& name) {
   if (!list || !list.IsSequence() || list.size() == 0) {
     throw BadInput(yaml_path + ": \"objects\" must be a list with at least one object");
   }
+
   std::vector<ObjectEntry> entries;
   for (size_t k = 0; k < list.size(); ++k) {
     const std::string where = yaml_path + ", object " + std::to_string(k + 1);

@@ -21,6 +21,7 @@ class HeaderReader {
   PlyHeader read() {
     if (scan_.line() != "ply")
       throw BadInput(file_ + ": the file does not start with the line \"ply\": it is no PLY file");
+
     // With carriage returns alone, a line feed behind the header is the first byte of the data.
     header_.returns_alone = scan_.position() > 0 && bytes_[scan_.position() - 1] == '\r';
     for (;;) {
@@ -32,11 +33,13 @@ class HeaderReader {
         scan_.fail("the file ends inside the PLY header; it was cut off: export it again");
       if (scan_.position() - before > kLongestLine)
         scan_.fail("a line of the PLY header is longer than 4096 bytes");
+
       if (headerLine(line)) {
         if (header_.returns_alone && bytes_[scan_.position() - 1] == '\n') scan_.moveTo(scan_.position() - 1);
         break;
       }
     }
+
     if (!has_format_) throw BadInput(file_ + ": the PLY header has no \"format\" line");
     return std::move(header_);
   }
@@ -54,11 +57,13 @@ class HeaderReader {
     std::istringstream words(line);
     std::string key;
     words >> key;
+
     if (key == "end_header") return true;
     if (key == "comment" || key == "obj_info" || key.empty()) {
       header_.comments += line + "\n";
       return false;
     }
+
     if (key == "format") {
       formatLine(words);
     } else if (key == "element") {

@@ -39,6 +39,7 @@ void appendPolygon(const std::vector<Eigen::Vector3d>& vertices, const std::vect
     const Eigen::Vector3d n = normal.norm() > 0 ? normal.normalized() : Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d u = n.unitOrthogonal(), v = n.cross(u);
     const auto flat = [&](int i) { return Eigen::Vector2d(u.dot(vertices[i]), v.dot(vertices[i])); };
+
     while (left.size() > 3) {
       size_t ear = left.size();
       for (size_t k = 0; k < left.size() && ear == left.size(); ++k) {
@@ -51,12 +52,14 @@ void appendPolygon(const std::vector<Eigen::Vector3d>& vertices, const std::vect
         });
         if (!blocked) ear = k;
       }
+
       if (ear == left.size()) ear = 1;  // collinear or self-crossing: any cut is as good
       const size_t n_left = left.size();
       triangles->push_back({left[(ear + n_left - 1) % n_left], left[ear], left[(ear + 1) % n_left]});
       left.erase(left.begin() + long(ear));
     }
   }
+
   for (size_t k = 2; k < left.size(); ++k) triangles->push_back({left[0], left[k - 1], left[k]});
 }
 

@@ -54,12 +54,14 @@ GivenGrasp readGrasp(const YAML::Node& node, const std::string& where) {
       throw BadInput(where + ": unknown key \"" + key + "\"; known: xyz, rpy, width, turns, axis, point");
     }
   }
+
   if (!placed) throw BadInput(where + ": the key \"xyz\" is missing");
   if (!(grasp.width > 0 && std::isfinite(grasp.width)))
     throw BadInput(where + ".width = " + std::to_string(grasp.width) + " must be above 0 [m]");
   if (grasp.turns < 1 || grasp.turns > 360)
     throw BadInput(where + ".turns = " + std::to_string(grasp.turns) + " must be 1 to 360");
   if (grasp.axis.direction.norm() < 1e-6) throw BadInput(where + ".axis must not be zero");
+
   grasp.axis.direction.normalize();
   return grasp;
 }

@@ -134,6 +134,7 @@ class PlyReader {
       if (of_faces && p.count && (p.name == "vertex_indices" || p.name == "vertex_index"))
         out.corners = int(k);
     }
+
     for (int c = 0; c < 3; ++c) {
       if (is_vertex && out.coordinate[c] < 0)
         data_.fail(std::string("the vertices have no property \"") + char('x' + c) + "\"");
@@ -189,6 +190,7 @@ class PlyReader {
   void readMore(const PlyElement& element, const Columns& columns) {
     const size_t begin = data_.position(), faces = corners_.size();
     long long more = 0;
+
     try {
       for (; !data_.atEnd(); ++more) {
         readEntry(element, columns);
@@ -204,6 +206,7 @@ class PlyReader {
       data_.moveTo(begin);
       return;
     }
+
     if (more > 0)
       warn("the header says " + std::to_string(element.count) + " of element \"" + element.name + "\", but " +
            std::to_string(more) + " more follow, which were read, too");
@@ -252,6 +255,7 @@ class PlyReader {
         of_strips += out_.mesh.triangles.size() - before;
         continue;
       }
+
       std::vector<int> polygon;
       for (const double index : corners_[f]) polygon.push_back(vertexAt(index, f));
       if (polygon.size() < 3) {
@@ -260,6 +264,7 @@ class PlyReader {
         appendPolygon(out_.mesh.vertices, polygon, &out_.mesh.triangles);
       }
     }
+
     if (of_strips > 0) warn("triangle strips read as " + counted(of_strips, "triangle", "triangles"));
     if (lines > 0) warn(counted(lines, "face", "faces") + " of fewer than three corners ignored");
   }

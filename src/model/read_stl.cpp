@@ -155,6 +155,7 @@ class AsciiStl {
         break;
       }
     }
+
     if (other_lines_ > 0)
       out_.warnings.push_back(counted(other_lines_, "line that is", "lines that are") +
                               " no part of STL ignored");
@@ -169,6 +170,7 @@ class AsciiStl {
             "endsolid is missing at the end: if faces are missing, the file was cut off; export it again");
         return;
       }
+
       const std::string word = lower(scan_.word());
       if (word == "endsolid" || (word == "end" && lower(scan_.word()) == "solid")) {
         scan_.line();
@@ -179,6 +181,7 @@ class AsciiStl {
         scan_.line();
         continue;
       }
+
       if (word != "facet") unexpected(word, "facet or endsolid");
       readFacet();
     }
@@ -192,6 +195,7 @@ class AsciiStl {
     }
     expect("outer");
     expect("loop");
+
     std::vector<int> polygon;
     std::string word = lower(scan_.word());
     for (; word == "vertex"; word = lower(scan_.word())) {
@@ -200,6 +204,7 @@ class AsciiStl {
       polygon.push_back(int(out_.mesh.vertices.size()));
       out_.mesh.vertices.emplace_back(x, y, z);
     }
+
     if (polygon.size() < 3) unexpected(word, "vertex");
     expectEnd(word, "loop");
     expectEnd(lower(scan_.word()), "facet");

@@ -20,10 +20,12 @@ void weld(Mesh* mesh, double tolerance) {
     return Key((long long)(std::floor(p.x() / cell)) + dx, (long long)(std::floor(p.y() / cell)) + dy,
                (long long)(std::floor(p.z() / cell)) + dz);
   };
+
   std::vector<std::pair<Key, int>> table;
   for (size_t k = 0; k < mesh->vertices.size(); ++k)
     table.emplace_back(key(mesh->vertices[k], 0, 0, 0), int(k));
   std::sort(table.begin(), table.end());
+
   std::vector<int> representative(mesh->vertices.size(), -1);
   for (size_t k = 0; k < mesh->vertices.size(); ++k) {
     if (representative[k] >= 0) continue;
@@ -41,6 +43,7 @@ void weld(Mesh* mesh, double tolerance) {
       }
     }
   }
+
   std::vector<int> renumbered(mesh->vertices.size(), -1);
   std::vector<Eigen::Vector3d> kept;
   for (Triangle& t : mesh->triangles) {
@@ -77,9 +80,11 @@ int dropDegenerate(Mesh* mesh, double tolerance) {
     sorted.emplace_back(s, int(kept.size()));
     kept.push_back(t);
   }
+
   std::sort(sorted.begin(), sorted.end());
   std::vector<char> copy(kept.size(), 0);
   for (size_t k = 1; k < sorted.size(); ++k) copy[sorted[k].second] = sorted[k].first == sorted[k - 1].first;
+
   mesh->triangles.clear();
   for (size_t k = 0; k < kept.size(); ++k) {
     if (!copy[k]) mesh->triangles.push_back(kept[k]);
@@ -100,6 +105,7 @@ int closeTJunctions(Mesh* mesh, double tolerance) {
   const auto x = [&](int v) { return mesh->vertices[v].x(); };
   std::sort(rim_vertices.begin(), rim_vertices.end(),
             [&](int a, int b) { return std::make_pair(x(a), a) < std::make_pair(x(b), b); });
+
   std::vector<char> touched(mesh->triangles.size(), 0);
   int splits = 0;
   for (const MeshEdge& e : topology.edges) {
@@ -107,6 +113,7 @@ int closeTJunctions(Mesh* mesh, double tolerance) {
     const Eigen::Vector3d a = mesh->vertices[e.a], d = mesh->vertices[e.b] - a;
     const double length = d.norm();
     const double low = std::min(x(e.a), x(e.b)) - tolerance, high = std::max(x(e.a), x(e.b)) + tolerance;
+
     std::vector<std::pair<double, int>> inside;
     for (auto it = std::lower_bound(rim_vertices.begin(), rim_vertices.end(), low,
                                     [&](int v, double value) { return x(v) < value; });
@@ -117,6 +124,7 @@ int closeTJunctions(Mesh* mesh, double tolerance) {
       if ((mesh->vertices[*it] - a - d * (s / length)).norm() <= tolerance) inside.emplace_back(s, *it);
     }
     if (inside.empty()) continue;
+
     std::sort(inside.begin(), inside.end());
     touched[e.t0] = 1;
     const Triangle t = mesh->triangles[e.t0];
@@ -165,6 +173,7 @@ std::vector<Part> alignParts(Mesh* mesh, const Topology& topology, int* turned) 
     Part part;
     part.triangles.push_back(int(seed));
     flip[seed] = 0;
+
     for (size_t k = 0; k < part.triangles.size(); ++k) {
       const int t = part.triangles[k];
       for (int c = 0; c < 3; ++c) part.box.extend(mesh->vertices[mesh->triangles[t][c]]);
@@ -185,6 +194,7 @@ std::vector<Part> alignParts(Mesh* mesh, const Topology& topology, int* turned) 
         part.triangles.push_back(other);
       }
     }
+
     std::vector<int> odd, even;
     for (const int t : part.triangles) (flip[t] ? odd : even).push_back(t);
     const std::vector<int>& fewer = odd.size() <= even.size() ? odd : even;
@@ -223,6 +233,7 @@ RepairedMesh repairMesh(const std::string& name, const Mesh& mesh, double weld_s
       if (!mesh.vertices[v].allFinite()) throw BadInput(name + ": a vertex is not finite; repair the mesh");
     }
   }
+
   Eigen::AlignedBox3d box;
   double magnitude = 0;
   for (const Triangle& t : mesh.triangles) {
@@ -234,6 +245,7 @@ RepairedMesh repairMesh(const std::string& name, const Mesh& mesh, double weld_s
   if (mesh.triangles.empty() || !(box.diagonal().norm() > 0)) {
     throw BadInput(name + ": the mesh has no triangle with an area; export the part's solid again");
   }
+
   // Files mostly hold single precision: far from the origin that is coarser than the share of the diameter.
   out.tolerance = std::max({weld_share * box.diagonal().norm(), 2.0 * FLT_EPSILON * magnitude, 1e-12});
   weld(&out.mesh, out.tolerance);
@@ -241,11 +253,13 @@ RepairedMesh repairMesh(const std::string& name, const Mesh& mesh, double weld_s
   if (out.mesh.triangles.empty()) {
     throw BadInput(name + ": every triangle of the mesh is without area; export the part's solid again");
   }
+
   for (int round = 0; round < 4 && closeTJunctions(&out.mesh, out.tolerance) > 0; ++round) {
     dropDegenerate(&out.mesh, out.tolerance);
   }
   const std::vector<Part> parts = alignParts(&out.mesh, buildTopology(out.mesh), &out.turned);
   turnOutward(&out, parts);
+
   for (const MeshEdge& e : buildTopology(out.mesh).edges) {
     out.rim_edges += e.uses == 1;
     out.crowded_edges += e.uses > 2;

@@ -52,11 +52,13 @@ class Finder {
       at_vertex[meshEdge(int(k)).a].push_back(int(k));
       at_vertex[meshEdge(int(k)).b].push_back(int(k));
     }
+
     std::vector<char> used(topology_.edges.size(), 0);
     const auto passes = [&](int v) {
       return at_vertex[v].size() == 2 && pairOf(at_vertex[v][0]) == pairOf(at_vertex[v][1]) &&
              meshEdge(at_vertex[v][0]).convex == meshEdge(at_vertex[v][1]).convex;
     };
+
     const auto walk = [&](int edge, int from) {
       Chain chain;
       chain.surface = pairOf(edge);
@@ -74,6 +76,7 @@ class Finder {
       chain.closed = chain.vertices.front() == chain.vertices.back() && chain.edges.size() > 2;
       chains_.push_back(std::move(chain));
     };
+
     for (const int e : sharp) {
       for (const int v : {meshEdge(e).a, meshEdge(e).b}) {
         if (!used[e] && !passes(v)) walk(e, v);
@@ -115,6 +118,7 @@ class Finder {
       if (addArc(chain, knots, 0, knots.size() - 1, true)) return;
       startAtLongest(chain, &knots);
     }
+
     for (size_t i = 0; i + 1 < knots.size();) {
       size_t end = i + 1;
       if (i + kLeastSegments < knots.size() && isArc(chain, knots, i, i + kLeastSegments, false)) {
@@ -216,17 +220,20 @@ class Finder {
     edge.surface = {leftSurface(chain, from, true), leftSurface(chain, from, false)};
     int p = chain.vertices[from > int(chain.edges.size()) ? from - int(chain.edges.size()) : from];
     int q = chain.vertices[to > int(chain.edges.size()) ? to - int(chain.edges.size()) : to];
+
     if (edge.surface[0] < 0) {
       std::swap(edge.p, edge.q);
       std::swap(p, q);
       std::swap(edge.surface[0], edge.surface[1]);
       std::swap(normal[0], normal[1]);
     }
+
     if (edge.surface[1] < 0) normal[1] = -normal[0];
     for (int s = 0; s < 2; ++s) edge.normal[s] = normal[s].normalized();
     edge.dihedral =
         std::atan2(edge.normal[0].cross(edge.normal[1]).norm(), edge.normal[0].dot(edge.normal[1]));
     edge.convex = meshEdge(chain.edges[from % int(chain.edges.size())]).convex;
+
     edge_ends_.push_back({p, q});
     out_.edges.push_back(edge);
   }
@@ -239,6 +246,7 @@ class Finder {
     circle.radius = c.radius;
     circle.surface = chain.surface;
     circle.axis = axisOf(c.axis, chain.surface);
+
     double sweep = 0;
     for (size_t k = begin; k < end; ++k) {
       const double angle = turnAbout(c, position(chain, knots[k]), position(chain, knots[k + 1]));
@@ -246,6 +254,7 @@ class Finder {
       circle.segment = std::max(circle.segment, std::abs(angle));
     }
     if (std::abs(sweep) < kSmallestSweep) return false;
+
     const bool counter_clockwise = sweep * c.axis.dot(circle.axis) > 0;
     const Eigen::Vector3d first = position(chain, knots[counter_clockwise ? begin : end]) - c.centre;
     circle.x_axis = (first - circle.axis * circle.axis.dot(first)).normalized();
@@ -254,6 +263,7 @@ class Finder {
     // Both sides of the walk can be one surface (a cut in a free form): then surface[0] counts as its left.
     circle.left = (leftSurface(chain, knots[begin], true) == circle.surface[0]) == counter_clockwise;
     circle.convex = meshEdge(chain.edges[knots[begin] % int(chain.edges.size())]).convex;
+
     out_.circles.push_back(circle);
     return true;
   }
@@ -278,6 +288,7 @@ class Finder {
       const Eigen::Vector3d radial = (middle - circle->axis * circle->axis.dot(middle)).normalized();
       const double length = (at(e.b) - at(e.a)).norm();
       const int s0 = split_.surface_of_triangle[e.t0] == circle->surface[0] ? 0 : 1;
+
       const auto add = [&](int slot, int t) {
         const Eigen::Vector3d& n = topology_.normals[t];
         sum[slot] += length * Eigen::Vector2d(n.dot(radial), n.dot(circle->axis));
@@ -285,6 +296,7 @@ class Finder {
       add(s0, e.t0);
       if (e.t1 >= 0) add(1 - s0, e.t1);
     }
+
     if (circle->surface[1] < 0) sum[1] = -sum[0];
     for (int s = 0; s < 2; ++s) circle->normal[s] = sum[s].normalized();
     const Eigen::Vector2d &a = circle->normal[0], &b = circle->normal[1];

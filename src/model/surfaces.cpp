@@ -95,6 +95,7 @@ class Splitter {
   bool growCylinder(int seed, int neighbour) {
     CylinderFit c = fit({seed, neighbour});
     std::vector<int> members;
+
     // First loosely around two facets, then with what a fit to all of them keeps.
     for (int round = 0; round < 4; ++round) {
       // So flat that the noise of the vertices would set the radius.
@@ -108,6 +109,7 @@ class Splitter {
       if (same) break;
       c = fit(members);
     }
+
     if (!c.valid || c.residual > kFitShare * c.radius + 4 * tolerance_ || !hasCleanEnds(members, c)) {
       for (const int f : members) spent_[f] = 1;
       return false;
@@ -126,6 +128,7 @@ class Splitter {
     std::sort(sorted.begin(), sorted.end());
     bool runs_on = false, aligned = true;
     double widest = 0, beyond = 0, low = 1e300, high = -1e300;
+
     for (const int f : members) {
       for (const FacetLink& link : facet(f).links) {
         const MeshEdge& e = topology_.edges[link.edge];
@@ -138,11 +141,13 @@ class Splitter {
         widest = std::max(widest, link.width);
         aligned = aligned && (along > 0.995 || along < 0.1);
       }
+
       for (const int v : facet(f).vertices) {
         low = std::min(low, c.axis.dot(mesh_.vertices[v]));
         high = std::max(high, c.axis.dot(mesh_.vertices[v]));
       }
     }
+
     if (beyond > 0) return aligned && high - low > 3 * beyond;
     return !runs_on || (aligned && high - low > std::max(3 * widest, 0.15 * c.radius));
   }
@@ -152,10 +157,12 @@ class Splitter {
     Eigen::Index largest;
     c.axis.cwiseAbs().maxCoeff(&largest);
     if (c.axis[largest] < 0) c.axis = -c.axis;
+
     Surface& s = addSurface(Surface::Kind::kCylinder, members);
     s.point = c.point;
     s.axis = c.axis;
     s.radius = c.radius;
+
     double outward = 0, low = 1e300, high = -1e300, chord = 0;
     for (const int f : members) {
       Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -170,6 +177,7 @@ class Splitter {
       outward += facet(f).area * facet(f).normal.dot(d - c.axis * axial);
       for (const FacetLink& l : facet(f).links) chord = std::max(chord, std::min(l.width, l.other_width));
     }
+
     s.convex = outward > 0;
     s.point += c.axis * (0.5 * (low + high));
     s.half_length = 0.5 * (high - low);

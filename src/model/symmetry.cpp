@@ -172,6 +172,7 @@ class Finder {
       }
       axes.push_back(axis);
     };
+
     // Fitted axes are more exact than principal ones: they stand first.
     for (const ModelCircle& c : model_.circles) {
       if (c.full()) add(c.centre, c.axis);
@@ -190,6 +191,7 @@ class Finder {
                     [](const Surface& s) { return s.kind == Surface::Kind::kPlane; })) {
       return false;
     }
+
     for (const Eigen::Vector3d& axis : axisCandidates()) {
       const std::vector<double> tolerances = revolvedTolerances(axis);
       // Angles without a common measure: no discrete group passes them all.
@@ -310,10 +312,12 @@ class Finder {
       }
       out.push_back({m});
     };
+
     for (const Mark& m : marks_) sortIn(m);
     if (marks_.size() < 2 && model_.mesh.vertices.size() <= 20000) {
       for (const Eigen::Vector3d& v : model_.mesh.vertices) sortIn({v - centroid_, 3, 0});
     }
+
     std::stable_sort(out.begin(), out.end(),
                      [](const auto& a, const auto& b) { return a.size() < b.size(); });
     return out;
@@ -343,6 +347,7 @@ class Finder {
         }
       }
     }
+
     if (b && of_a->size() * of_b->size() <= 250000) {
       const double apart = (a->p - b->p).norm();
       const Eigen::Matrix3d from = frame(a->p, b->p);
@@ -353,6 +358,7 @@ class Finder {
         }
       }
     }
+
     for (const Eigen::Vector3d& axis : principalAxes()) {
       for (const int fold : {2, 3, 4, 6}) {
         out.push_back(Eigen::AngleAxisd(2 * kPi / fold, axis).toRotationMatrix());
@@ -388,10 +394,12 @@ class Finder {
     for (const Mark& m : marks) middle += m.p / double(marks.size());
     for (Mark& m : marks) m.p -= middle;
     const Eigen::Vector3d centre = centroid_ + middle, a = marks.front().p;
+
     const auto b = std::find_if(marks.begin(), marks.end(), [&](const Mark& m) {
       return a.cross(m.p).norm() > 0.2 * a.norm() * m.p.norm() && m.p.norm() > 10 * tolerance_;
     });
     if (b == marks.end() || a.norm() < 10 * tolerance_) return;
+
     const Eigen::Matrix3d from = frame(a, b->p);
     for (const Mark& a2 : marks) {
       if (std::abs(a2.p.norm() - a.norm()) > 2 * tolerance_) continue;

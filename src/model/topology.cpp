@@ -22,16 +22,19 @@ void addEdge(const Mesh& mesh, const std::vector<Use>& uses, size_t begin, size_
   edge.t0 = uses[begin].triangle;
   edge.a = from(uses[begin]);
   edge.b = edge.a == uses[begin].low ? uses[begin].high : uses[begin].low;
+
   for (size_t k = begin + 1; k < end && edge.t1 < 0; ++k) {
     if (from(uses[k]) != edge.a) edge.t1 = uses[k].triangle;
   }
   if (edge.t1 < 0 && edge.uses > 1) edge.t1 = uses[begin + 1].triangle;
+
   if (edge.t1 >= 0) {
     const Eigen::Vector3d &n0 = out->normals[edge.t0], &n1 = out->normals[edge.t1];
     edge.angle = std::atan2(n0.cross(n1).norm(), n0.dot(n1));
     const Eigen::Vector3d along = mesh.vertices[edge.b] - mesh.vertices[edge.a];
     edge.convex = n0.cross(n1).dot(along) >= 0;
   }
+
   for (size_t k = begin; k < end; ++k) {
     out->edges_of_triangle[uses[k].triangle][uses[k].corner] = int(out->edges.size());
   }
@@ -55,6 +58,7 @@ Topology buildTopology(const Mesh& mesh) {
       uses.push_back({std::min(a, b), std::max(a, b), int(t), c});
     }
   }
+
   std::sort(uses.begin(), uses.end());
   out.edges_of_triangle.resize(mesh.triangles.size());
   for (size_t begin = 0; begin < uses.size();) {
@@ -75,6 +79,7 @@ double meshDiameter(const std::vector<Eigen::Vector3d>& vertices) {
     }
     return best;
   };
+
   // A good lower bound first; then only vertices that could beat it are compared with each other.
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& v : vertices) box.extend(v);
@@ -85,11 +90,13 @@ double meshDiameter(const std::vector<Eigen::Vector3d>& vertices) {
     best = std::max(best, (vertices[a] - vertices[b]).norm());
     std::swap(a, b);
   }
+
   std::vector<Eigen::Vector3d> candidates;
   for (const Eigen::Vector3d& v : vertices) {
     const Eigen::Vector3d reach = (v - box.min()).cwiseMax(box.max() - v);
     if (reach.norm() > best) candidates.push_back(v);
   }
+
   constexpr size_t kMost = 20000;  // beyond, every n-th is compared: the bound above is already close
   const size_t stride = 1 + candidates.size() / kMost;
   for (size_t i = 0; i < candidates.size(); i += stride) {

@@ -62,12 +62,14 @@ std::vector<Eigen::Vector3d> viewDirections(const Symmetries& symmetries, double
   }
   if (symmetries.sphere) return {generic()};
   if (symmetries.axis) return meridian(symmetries, spacing);
+
   // Points of a hexagonal grid of this spacing own spacing^2 sqrt(3) / 2 each.
   const int count = std::max(12, int(std::ceil(4 * kPi / (0.8660254 * spacing * spacing))));
   std::vector<Eigen::Vector3d> directions;
   for (const Eigen::Vector3d& d : spiral(count)) {
     if (inDomain(d, symmetries)) directions.push_back(d);
   }
+
   // The seams of the domain, and the poles of the spiral, can leave gaps: the worst is filled until none is
   // left.
   std::vector<Eigen::Vector3d> probes;
@@ -76,6 +78,7 @@ std::vector<Eigen::Vector3d> viewDirections(const Symmetries& symmetries, double
   }
   std::vector<double> closeness;
   for (const Eigen::Vector3d& p : probes) closeness.push_back(nearest(p, directions, symmetries));
+
   while (!probes.empty()) {
     const size_t worst = size_t(std::min_element(closeness.begin(), closeness.end()) - closeness.begin());
     if (closeness[worst] >= std::cos(kLargestGap * spacing)) break;

@@ -25,7 +25,9 @@ std::string sortKey(const std::string& name) {
     size_t begin = i;
     while (i < name.size() && digit(name[i])) ++i;
     while (begin + 1 < i && name[begin] == '0') ++begin;
-    key += '0', key += char(std::min<size_t>(i - begin, 120)), key += name.substr(begin, i - begin);
+    key += '0';
+    key += char(std::min<size_t>(i - begin, 120));
+    key += name.substr(begin, i - begin);
   }
   return key;
 }

@@ -97,8 +97,12 @@ void requireKnown(const OptionTree& tree, const std::string& key, const std::vec
     for (const std::string& name : known) {
       const bool part = name.find(entry.first) != std::string::npos;  // an abbreviation of it
       const size_t distance = part ? 1 : editDistance(entry.first, name);
-      if (distance < best) best = distance, nearest = &name;
+      if (distance < best) {
+        best = distance;
+        nearest = &name;
+      }
     }
+
     if (nearest) message += "; did you mean '" + join(key, *nearest) + "'?";
     message += " Known here:";
     for (size_t i = 0; i < known.size(); ++i) message += (i ? ", " : " ") + known[i];

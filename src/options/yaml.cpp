@@ -80,10 +80,13 @@ std::string quoted(const std::string& text) {
   for (char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') {
-      out += '\\', out += c;
+      out += '\\';
+      out += c;
     } else if (byte < 0x20 || byte == 0x7f) {
       const char* hex = "0123456789abcdef";
-      out += "\\x", out += hex[byte >> 4], out += hex[byte & 15];
+      out += "\\x";
+      out += hex[byte >> 4];
+      out += hex[byte & 15];
     } else {
       out += c;
     }
@@ -123,12 +126,14 @@ void emit(const OptionTree& tree, const std::string& indent, std::string* out) {
     *out += indent + lineText(tree) + "\n";
     return;
   }
+
   for (const OptionTree& item : tree.list) {
     // The item's block, with its first indentation replaced by the dash.
     std::string block;
     emit(item, indent + "  ", &block);
     *out += indent + "- " + block.substr(indent.size() + 2);
   }
+
   for (const auto& entry : tree.map) {
     const std::string key = plain(entry.first) ? entry.first : quoted(entry.first);
     if (inLine(entry.second)) {

@@ -101,10 +101,12 @@ std::string barChart(const std::string& title, const std::vector<ChartBar>& bars
   const double half = 0.34 * slot;  // of a bar's width
   Drawing drawing(kWidth, kTop + kPlot + 34);
   const auto y = [&](double share) { return kTop + 14 + (kPlot - 14) * (1 - share); };
+
   for (const double share : {0.0, 0.5, 1.0}) {
     drawing.line(kLeft, y(share), kWidth - kRight, y(share), kGrid);
     drawing.text(kLeft - 6, y(share) + 4, std::to_string(int(100 * share)) + " %", Anchor::kEnd, 11);
   }
+
   for (size_t k = 0; k < bars.size(); ++k) {
     const ChartBar& bar = bars[k];
     const double middle = kLeft + slot * (double(k) + 0.5);
@@ -116,6 +118,7 @@ std::string barChart(const std::string& title, const std::vector<ChartBar>& bars
     for (const double end : {bar.low, bar.high})
       drawing.line(middle - 4, y(end), middle + 4, y(end), kInk, 1.4);
   }
+
   return drawing.svg(title);
 }
 

@@ -82,15 +82,18 @@ class EvaluationPageWriter {
         "accepts. AR: mean recall over BOP's thresholds of MSSD and MSPD, of instances at least 10 % "
         "visible. "
         "Intervals are Wilson's at 95 %. A part's time is the median over the images that show it.");
+
     const HtmlPage::Row head{
         "",   "images",     "found of wanted", "95 %", "right of reported", "95 %", "false accepts",
         "AR", "median time"};
+
     std::vector<HtmlPage::Row> scenes, parts;
     for (const GroupScore& score : scoresByScene(run_.split, run_.outcomes, run_.times))
       scenes.push_back(scoreRow(score));
     scenes.push_back(scoreRow(scoreOfAll(run_.split, run_.outcomes, run_.times)));
     for (const GroupScore& score : scoresByPart(run_.split, run_.models, run_.outcomes, run_.times))
       parts.push_back(scoreRow(score));
+
     page_.table(head, scenes);
     page_.heading("Parts", "parts");
     page_.table(head, parts);
@@ -194,6 +197,7 @@ class EvaluationPageWriter {
       page_.paragraph("No candidate was judged.");
       return;
     }
+
     const auto bins = reliabilityBins(all);
     std::vector<ChartPoint> points;
     for (const ReliabilityBin& bin : bins) {
@@ -201,11 +205,13 @@ class EvaluationPageWriter {
       points.push_back({bin.mean_probability, bin.right.value(), interval.low, interval.high,
                         shareText(bin.right) + " right at mean p " + fixed(bin.mean_probability, 2)});
     }
+
     page_.beginGrid();
     page_.chart(diagonalChart("Share right over probability", "mean probability", "share right", points),
                 std::to_string(all.size()) + " candidates that were reported or rejected, in " +
                     std::to_string(bins.size()) + " bins of equal count; expected calibration error " +
                     fixed(calibrationError(bins), 3));
+
     const auto curve = precisionRecall(run_.judged, run_.outcomes);
     if (!curve.empty()) precisionChart(curve);
     page_.endGrid();

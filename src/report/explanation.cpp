@@ -118,9 +118,11 @@ class PageWriter {
       page_.paragraph(count(result_.objects.size(), "object", "objects") + " found.");
     if (result_.budget_spent) page_.paragraph("The budget was spent before all groupings were used.");
     if (result_.truncated) page_.paragraph("The time limit ended the search before everything was tried.");
+
     figure("result.png", drawResult(grey_, camera_, models_, result_),
            "Accepted green, ambiguous amber; axes x red, y green, z blue", true);
     if (result_.objects.empty()) return;
+
     std::vector<HtmlPage::Row> rows;
     for (const ObjectEstimate& object : result_.objects)
       rows.push_back(
@@ -154,11 +156,13 @@ class PageWriter {
     if (search_grey_.cols != grey_.cols)
       page_.paragraph("The image of " + sizeText(grey_) + " px was searched at " + sizeText(search_grey_) +
                       " px: features and groupings are of that size, the poses were refined in full.");
+
     page_.beginGrid();
     figure("image.png", Canvas(grey_, camera_).picture(), "The image as taken");
     figure("traces.png", tracesPicture(search_grey_, f),
            count(f.traces.size(), "edge trace", "edge traces") + ", " +
                count(f.points.size(), "point", "points"));
+
     size_t joined = 0;
     for (const LineSegment& segment : f.segments) joined += segment.joined();
     figure("segments.png", segmentsPicture(search_grey_, f),
@@ -188,6 +192,7 @@ class PageWriter {
 
   void candidate(const ObjectEstimate& object, const std::string& file) {
     picture(file, drawCandidate(grey_, camera_, models_, object));
+
     HtmlPage::Card card;
     card.picture = file;
     card.title = objectLabel(object);
@@ -201,6 +206,7 @@ class PageWriter {
                                            std::to_string(object.expected_features)},
                   {"groupings explained", std::to_string(object.matched_groupings)},
                   {"characteristic view", std::to_string(object.characteristic_view)}};
+
     if (!object.symmetry.empty()) card.terms.push_back({"symmetry", object.symmetry});
     for (const std::string& words : object.spoke_for) card.terms.push_back({"speaks for it", words});
     for (const std::string& words : object.spoke_against) card.terms.push_back({"speaks against it", words});
@@ -211,6 +217,7 @@ class PageWriter {
           {"alternative", (known ? models_.objects[other.object].model.name : std::string("?")) + " " +
                               shortNumber(other.probability) + " at " + poseText(other.camera_from_object)});
     }
+
     page_.card(card);
   }
 

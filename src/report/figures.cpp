@@ -56,15 +56,18 @@ std::vector<std::string> writeFigures(const std::string& folder, const cv::Mat& 
   } catch (const fs::filesystem_error& e) {
     throw BadInput(folder + ": cannot be written (" + e.code().message() + ")");
   }
+
   std::vector<std::string> paths;
   const auto write = [&](const std::string& name, const cv::Mat& picture) {
     paths.push_back((into / name).string());
     writePicture(paths.back(), picture);
   };
+
   const cv::Mat searched = searchImage(grey, result.features.camera);
   write("figure_09_scene.png", Canvas(grey, camera).picture());
   write("figure_10a_line_groups.png", lineGroupsPicture(searched, result.features, result.groupings));
   write("figure_10b_ellipses.png", ellipsesPicture(searched, result.features));
+
   const std::vector<cv::Mat> projections = drawBackProjections(grey, camera, models, result);
   for (size_t k = 0; k < projections.size(); ++k)
     write("figure_11" + letters(k) + "_" + asFileName(result.objects[k].name) + ".png", projections[k]);

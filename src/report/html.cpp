@@ -72,6 +72,7 @@ std::string escapeHtml(const std::string& text) {
       ++k;
       continue;
     }
+
     if (c == '&') {
       out += "&amp;";
     } else if (c == '<') {

@@ -200,6 +200,7 @@ void dressTable(Generator* random, const LookScale& scale, Scene* scene) {
     finish.gloss = random->uniform(0.02, 0.12);
     finish.roughness = logUniform(random, 0.03, 0.25);
   }
+
   const double texel = 0.7 * scale.pixel, s = scale.lengths;
   if (chance(random, 0.2))
     finish.prints.push_back(makePrint(Art::kGrid, lyingAnywhere(random, 0.05 * s),
@@ -208,6 +209,7 @@ void dressTable(Generator* random, const LookScale& scale, Scene* scene) {
   if (chance(random, 0.25))
     finish.prints.push_back(makePrint(Art::kStains, lyingAnywhere(random, 0.1 * s), 0.5 * s, 0.4 * s, texel,
                                       material.albedo, random));
+
   const int papers = chance(random, 0.45) ? random->integer(1, 3) : 0;
   static const Art kPapers[] = {Art::kPage,      Art::kPage,     Art::kLabel,
                                 Art::kPatchwork, Art::kBoxFront, Art::kTag};
@@ -216,6 +218,7 @@ void dressTable(Generator* random, const LookScale& scale, Scene* scene) {
     finish.prints.push_back(makePrint(kPapers[random->integer(0, 5)], lyingAnywhere(random, 0.2 * s), width,
                                       width * random->uniform(0.6, 1.41), texel, material.albedo, random));
   }
+
   if (chance(random, 0.1)) {  // a board of tags around the parts
     const double step = s * random->uniform(0.07, 0.12);
     const Rigid3 board = lyingAnywhere(random, 0.03 * s);
@@ -227,6 +230,7 @@ void dressTable(Generator* random, const LookScale& scale, Scene* scene) {
           makePrint(Art::kTag, board * turn * place, 0.8 * step, 0.8 * step, texel, material.albedo, random));
     }
   }
+
   material.finish = std::make_shared<Finish>(std::move(finish));
 }
 

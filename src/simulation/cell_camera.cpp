@@ -56,8 +56,10 @@ std::vector<ArmBody> armBodies(const ArmDescription& arm) {
     for (const ArmShape& shape : shapes) {
       ArmBody body{k, solidMesh(shape), shape.colour.dot(Eigen::Vector3d(0.299, 0.587, 0.114)),
                    Eigen::Vector3d::Constant(1e9), Eigen::Vector3d::Constant(-1e9)};
-      for (const Eigen::Vector3d& p : body.mesh.vertices)
-        body.low = body.low.cwiseMin(p), body.high = body.high.cwiseMax(p);
+      for (const Eigen::Vector3d& p : body.mesh.vertices) {
+        body.low = body.low.cwiseMin(p);
+        body.high = body.high.cwiseMax(p);
+      }
       bodies.push_back(std::move(body));
     }
   }
@@ -129,6 +131,7 @@ void CellCamera::Impl::place(const WorkCell& cell) {
   const Rigid3 table_from_base = scene.base_from_table.inverse();
   const std::vector<Rigid3> base_from_links = cell.baseFromLinks();
   const Eigen::Vector3d eye = cell.baseFromCamera().translation;
+
   std::vector<Rigid3> poses;
   std::vector<bool> seen;
   for (size_t k = 0; k < scene.scene.objects.size(); ++k) {
@@ -143,6 +146,7 @@ void CellCamera::Impl::place(const WorkCell& cell) {
   }
   poses.push_back({Eigen::Matrix3d::Identity(), {0, 0, -options.table.thickness}});
   seen.push_back(true);
+
   world.place(poses, seen);
   look.place(poses);
 }
@@ -166,9 +170,11 @@ cv::Mat CellCamera::Impl::sensor(const cv::Mat1f& radiance, uint32_t key, double
   const CellCameraOptions& sensor = options.camera;
   const cv::Mat1f light = blurred(radiance, sensor.blur_sigma);
   *exposure = sensor.exposure > 0 ? sensor.exposure : automaticExposure(light, kMean);
+
   const float gain = float(*exposure), base = float(sensor.noise_sigma * sensor.noise_sigma);
   const float shot = float(sensor.shot_noise), power = float(1 / sensor.gamma);
   const auto& normal = normalValues();
+
   cv::Mat grey(light.rows, light.cols, CV_8UC1);
   parallelRows(threads, grey.rows, [&](int first, int last) {
     for (int y = first; y < last; ++y)

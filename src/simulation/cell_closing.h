@@ -26,7 +26,11 @@ class CellGripper {
         friction_(friction),
         compliance_(compliance) {}
 
-  void command(double width, double speed) { target_ = width, speed_ = speed; }
+  void command(double width, double speed) {
+    target_ = width;
+    speed_ = speed;
+  }
+
   struct Outcome {
     int grasped = -1, slipped = -1, released = -1;  ///< objects; what happened in this step
     std::string reason;                             ///< why `slipped` is not held

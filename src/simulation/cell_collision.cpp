@@ -95,6 +95,7 @@ CellSolids::CellSolids(const ArmDescription& arm, const std::vector<SceneObject>
     : impl_(new Impl) {
   impl_->floor_z = floor_z;
   impl_->tolerance = tolerance;
+
   for (size_t k = 0; k < arm.links.size(); ++k) {
     const ArmLink& link = arm.links[k];
     impl_->finger.push_back(link.finger != 0);
@@ -102,10 +103,12 @@ CellSolids::CellSolids(const ArmDescription& arm, const std::vector<SceneObject>
     for (const ArmShape& shape : link.collision)
       impl_->links.push_back(makeSolid(int(k), solidMesh(shrunk(shape, tolerance))));
   }
+
   for (size_t k = 0; k < objects.size(); ++k) {
     impl_->objects.push_back(makeSolid(int(k), *objects[k].mesh));
     impl_->objects.back().place(objects[k].world_from_object);
   }
+
   if (!table.present) return;
   impl_->table.push_back(
       makeSolid(0, boxMesh({2 * table.half_width, 2 * table.half_depth, table_thickness})));

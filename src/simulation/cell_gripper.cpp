@@ -38,9 +38,11 @@ std::vector<Piece> between(const Mesh& mesh, const Rigid3& tcp_from_object, cons
                            double opening) {
   const double low[3] = {-pads.half_width, -opening / 2, pads.z_low};
   const double high[3] = {pads.half_width, opening / 2, pads.z_high};
+
   Polygon points;
   points.reserve(mesh.vertices.size());
   for (const Eigen::Vector3d& p : mesh.vertices) points.push_back(tcp_from_object * p);
+
   std::vector<Piece> pieces;
   for (const auto& t : mesh.triangles) {
     const Eigen::Vector3d &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
@@ -49,6 +51,7 @@ std::vector<Piece> between(const Mesh& mesh, const Rigid3& tcp_from_object, cons
     for (int k = 0; k < 3; ++k) apart = apart || least[k] > high[k] || most[k] < low[k];
     const Eigen::Vector3d normal = (b - a).cross(c - a);
     if (apart || !(normal.norm() > 0)) continue;
+
     Polygon polygon{a, b, c};
     for (int k = 0; k < 3 && !polygon.empty(); ++k) {
       if (most[k] > high[k]) clip(&polygon, k, high[k], 1);
@@ -68,6 +71,7 @@ PadTouch padContact(const std::vector<Piece>& pieces, double side) {
   if (!std::isfinite(outermost)) return contact;
   contact.touched = true;
   contact.y = side * outermost;
+
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
   for (const Piece& piece : pieces) {
     const double facing = side * piece.normal.y();
@@ -81,7 +85,11 @@ PadTouch padContact(const std::vector<Piece>& pieces, double side) {
       normal += area * piece.normal;
     }
   }
-  if (contact.area > 0) contact.centre = centre / contact.area, contact.normal = normal.normalized();
+
+  if (contact.area > 0) {
+    contact.centre = centre / contact.area;
+    contact.normal = normal.normalized();
+  }
   return contact;
 }
 

@@ -64,10 +64,12 @@ void evaluatePath(const std::vector<CellPathPoint>& path, double time, JointVect
     *positions = time >= path.back().time ? path.back().positions : path.front().positions;
     return;
   }
+
   const auto after = std::upper_bound(path.begin(), path.end(), time,
                                       [](double t, const CellPathPoint& point) { return t < point.time; });
   const CellPathPoint &b = *after, &a = *(after - 1);
   const double T = b.time - a.time, t = time - a.time;
+
   for (int j = 0; j < 6; ++j) {
     Place place;
     if (a.velocities.empty() || b.velocities.empty())
@@ -122,6 +124,7 @@ void JointMotion::follow(double dt, std::vector<LimitViolation>* violations) {
   JointVector wanted, speed;
   evaluatePath(path_, time_, &wanted, &speed);
   bool arrived = time_ >= path_.back().time;
+
   for (int j = 0; j < 6; ++j) {
     const double most = limits_[j].velocity, needed = (wanted[j] - positions_[j]) / dt;
     if (std::abs(needed) > most * (1 + kSlack)) {
@@ -136,6 +139,7 @@ void JointMotion::follow(double dt, std::vector<LimitViolation>* violations) {
     const double within = std::clamp(wanted[j], limits_[j].lower, limits_[j].upper);
     arrived = arrived && std::abs(positions_[j] - within) < 1e-12;
   }
+
   if (!arrived) return;
   mode_ = Mode::kStanding;
   velocities_.setZero();

@@ -30,7 +30,9 @@ Texture::Kind textureKind(const std::string& kind) {
 CellObject object(const char* name, double x, double y, double yaw, double albedo) {
   CellObject out;
   out.name = name;
-  out.pose.x = x, out.pose.y = y, out.pose.yaw = yaw;
+  out.pose.x = x;
+  out.pose.y = y;
+  out.pose.yaw = yaw;
   out.material.albedo = albedo;
   out.material.shininess = 35;
   return out;
@@ -69,9 +71,14 @@ Material CellMaterial::material() const {
 }
 
 CellTable::CellTable() {
-  pose.x = 0.55, pose.z = 0.30;
-  material.albedo = 0.30, material.specular = 0.03, material.shininess = 15;
-  material.texture.kind = "wood", material.texture.scale = 0.018, material.texture.amplitude = 0.22;
+  pose.x = 0.55;
+  pose.z = 0.30;
+  material.albedo = 0.30;
+  material.specular = 0.03;
+  material.shininess = 15;
+  material.texture.kind = "wood";
+  material.texture.scale = 0.018;
+  material.texture.amplitude = 0.22;
   material.texture.seed = 3;
 }
 
@@ -132,7 +139,11 @@ void CellRandom::check() const {
 
 CellOptions::CellOptions() {
   CellLight second;
-  second.x = 0.55, second.y = 0.45, second.z = 1.1, second.radius = 0.2, second.intensity = 0.4;
+  second.x = 0.55;
+  second.y = 0.45;
+  second.z = 1.1;
+  second.radius = 0.2;
+  second.intensity = 0.4;
   lights = {CellLight(), second};
   lights[0].intensity = 0.85;
   objects = {object("frame", 0, 0, 0, 0.66), object("bridge", -0.045, 0.043, 0.07, 0.74),

@@ -22,10 +22,16 @@ FingerFace fingerFace(const ArmLink& link, const Rigid3& tcp_from_link, double h
     double x = 0, low = 1e9, high = -1e9;
     for (const Eigen::Vector3d& vertex : solidMesh(shape).vertices) {
       const Eigen::Vector3d p = tcp_from_link * vertex;
-      if (std::abs(p.y()) < face.inner) face.inner = std::abs(p.y()), face.side = p.y() > 0 ? 1 : -1;
+      if (std::abs(p.y()) < face.inner) {
+        face.inner = std::abs(p.y());
+        face.side = p.y() > 0 ? 1 : -1;
+      }
       if (std::abs(std::abs(p.y()) - half_opening) > kInPlane) continue;
-      x = std::max(x, std::abs(p.x())), low = std::min(low, p.z()), high = std::max(high, p.z());
+      x = std::max(x, std::abs(p.x()));
+      low = std::min(low, p.z());
+      high = std::max(high, p.z());
     }
+
     if (high > low && 2 * x * (high - low) > face.pad.area()) face.pad = {x, low, high};
   }
   return face;
@@ -54,6 +60,7 @@ GripperPads gripperPads(const ArmDescription& arm) {
   const double width = arm.gripper_width_max;
   const std::vector<Rigid3> base_from_link = arm.baseFromLinks(JointVector::Zero(), width);
   const Rigid3 tcp_from_base = base_from_link[size_t(arm.link("gripper_tcp"))].inverse();
+
   GripperPads pads{1e9, -1e9, 1e9};
   bool found[2] = {false, false};
   for (size_t k = 0; k < arm.links.size(); ++k) {
@@ -67,6 +74,7 @@ GripperPads gripperPads(const ArmDescription& arm) {
             std::min(pads.z_high, face.pad.z_high)};
     found[face.side > 0] = true;
   }
+
   if (!found[0] || !found[1] || !(pads.z_high > pads.z_low))
     throw BadInput(
         "arm description: two fingers with pads that face each other along y of gripper_tcp needed");

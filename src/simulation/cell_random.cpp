@@ -31,6 +31,7 @@ std::vector<TopGrasp> topGrasps(const Mesh& mesh, const Rigid3& table_from_objec
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : mesh.vertices) box.extend(table_from_object * p);
   const GripperPads pads{kPadHalfWidth, -kPadHeight, 0};  // tcp at the tips, z down
+
   std::vector<TopGrasp> grasps;
   for (int turn = 0; turn < 12; ++turn)
     for (int step = -4; step <= 4; ++step) {
@@ -40,10 +41,12 @@ std::vector<TopGrasp> topGrasps(const Mesh& mesh, const Rigid3& table_from_objec
       table_from_tcp.rotation << x, z.cross(x), z;
       table_from_tcp.translation = 0.01 * step * x + box.center();
       table_from_tcp.translation.z() = std::max(kLeastHeight, box.max().z() - kReachDown);
+
       const GripContact contact =
           gripContact(mesh, table_from_tcp.inverse() * table_from_object, pads, 10 * widest);
       if (!contact.low.touched || contact.width() > widest) continue;
       if (!gripWeakness(contact, kFriction).empty()) continue;
+
       const Eigen::Vector3d middle =
           table_from_tcp * Eigen::Vector3d(0, (contact.low.y + contact.high.y) / 2, 0);
       grasps.push_back({table_from_tcp.rotation.col(1).head<2>(), x.head<2>(), middle.head<2>(),
@@ -127,6 +130,7 @@ void Arranger::collectChoices() {
   for (const std::string& part : rules_.parts)
     if (std::none_of(models_.begin(), models_.end(), [&](const NamedMesh& m) { return m.name == part; }))
       throw BadInput("random.parts: '" + part + "' is not in the model base");
+
   const auto cannotBeHeld = [&](int model) {
     const Mesh& mesh = *models_[size_t(model)].mesh;
     double sum = 0;
@@ -141,6 +145,7 @@ void Arranger::collectChoices() {
     choices_[model] = choices;
     return choices.empty();
   };
+
   drawn_.erase(std::remove_if(drawn_.begin(), drawn_.end(), cannotBeHeld), drawn_.end());
   if (drawn_.empty() && rules_.objects > 0)
     throw BadInput("random.gripper_width = " + std::to_string(rules_.gripper_width) +
@@ -177,6 +182,7 @@ bool Arranger::placePart() {
   const int model = drawn_[size_t(random_.integer(0, int(drawn_.size()) - 1))];
   const Choice& choice = drawChoice(model);
   SceneObject part{models_[size_t(model)].name, model, models_[size_t(model)].mesh, {}, {}};
+
   const SceneObject& frame = placed_.front().object;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : frame.mesh->vertices) box.extend(frame.world_from_object * p);
@@ -185,16 +191,19 @@ bool Arranger::placePart() {
         expSO3({0, 0, random_.uniform(0, 2 * M_PI)}),
         {random_.uniform(box.min().x(), box.max().x()), random_.uniform(box.min().y(), box.max().y()), 0}};
     part.world_from_object = turned * choice.pose.table_from_object;
+
     // Beside the frame is free too: the part must lie inside the frame's box.
     Eigen::AlignedBox3d around;
     for (const Eigen::Vector3d& p : part.mesh->vertices) around.extend(part.world_from_object * p);
     const bool inside = (around.min().head<2>().array() > box.min().head<2>().array()).all() &&
                         (around.max().head<2>().array() < box.max().head<2>().array()).all();
     if (!inside) continue;
+
     const Footprint own = footprint(part);
     if (std::any_of(placed_.begin(), placed_.end(),
                     [&](const Placed& other) { return sharedCells(own, other.grown) > 0; }))
       continue;
+
     placed_.push_back(put(part));
     placed_.back().turned = turned;
     placed_.back().choice = &choice;
@@ -214,6 +223,7 @@ bool Arranger::canBeTaken(const Placed& part) const {
     }
     return false;
   };
+
   const Eigen::Matrix2d turn = part.turned.rotation.topLeftCorner<2, 2>();
   const auto free = [&](const TopGrasp& grasp) {
     for (int side : {-1, 1})
@@ -225,6 +235,7 @@ bool Arranger::canBeTaken(const Placed& part) const {
         }
     return true;
   };
+
   return std::any_of(part.choice->grasps.begin(), part.choice->grasps.end(), free);
 }
 
@@ -240,6 +251,7 @@ void arrangeAtRandom(const std::vector<NamedMesh>& models, CellScene* cell) {
   if (attempt == kAttempts)
     throw BadInput("random.objects = " + std::to_string(rules.objects) +
                    ": no room for so many in the frame, with random.gap and random.finger_room between them");
+
   Scene& scene = cell->scene;
   Generator& random = arranger.random();
   if (rules.lights) {
@@ -249,10 +261,12 @@ void arrangeAtRandom(const std::vector<NamedMesh>& models, CellScene* cell) {
     scene.table.material.texture = randomTexture(&random, 0.3);
     addLights(&random, &scene);
   }
+
   for (SceneObject& object : objects) {
     object.material = randomMaterial(&random);
     standOut(&object.material, scene.table.material.albedo);
   }
+
   scene.objects = objects;
   cell->fixed.assign(objects.size(), false);
   cell->fixed[0] = true;

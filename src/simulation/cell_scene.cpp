@@ -46,10 +46,12 @@ SceneObject placed(const CellObject& wanted, const std::vector<NamedMesh>& model
 CellScene makeCellScene(const CellOptions& options, const std::vector<NamedMesh>& models) {
   options.check();
   checkModels(models);
+
   CellScene cell;
   cell.options = options;
   cell.base_from_table = options.table.pose.transform();
   cell.camera = options.camera.camera();
+
   Scene& scene = cell.scene;
   scene.table.half_width = options.table.length / 2;
   scene.table.half_depth = options.table.width / 2;
@@ -58,10 +60,12 @@ CellScene makeCellScene(const CellOptions& options, const std::vector<NamedMesh>
   scene.background = options.background;
   for (const CellLight& light : options.lights)
     scene.lights.push_back({{light.x, light.y, light.z}, light.radius, light.intensity});
+
   if (options.random.seed >= 0) {
     arrangeAtRandom(models, &cell);
     return cell;
   }
+
   for (size_t k = 0; k < options.objects.size(); ++k) {
     SceneObject object = placed(options.objects[k], models, "objects[" + std::to_string(k) + "]");
     if (const double z = lowestPoint(object); z < kResting) {

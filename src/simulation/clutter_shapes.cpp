@@ -72,13 +72,16 @@ Mesh angleMesh(double leg_x, double leg_z, double thickness, double length) {
   const double t = thickness;
   const std::vector<Eigen::Vector2d> section{{t, t}, {t, leg_z}, {0, leg_z}, {0, 0}, {leg_x, 0}, {leg_x, t}};
   const int n = int(section.size());
+
   Mesh mesh;
   for (const double y : {-0.5 * length, 0.5 * length})
     for (const Eigen::Vector2d& p : section) mesh.vertices.emplace_back(p.x(), y, p.y());
+
   for (int k = 1; k + 1 < n; ++k) {
     mesh.triangles.push_back({0, k, k + 1});
     mesh.triangles.push_back({n, n + k + 1, n + k});
   }
+
   for (int k = 0; k < n; ++k) {
     const int next = (k + 1) % n;
     mesh.triangles.push_back({k, n + next, next});
@@ -90,6 +93,7 @@ Mesh angleMesh(double leg_x, double leg_z, double thickness, double length) {
 Mesh trayMesh(const Eigen::Vector3d& size, double wall) {
   require(wall > 0 && size.x() > 2 * wall && size.y() > 2 * wall && size.z() > wall,
           "a tray must be larger than its walls");
+
   Mesh mesh;
   const auto corners = [&](double x, double y, double z) {  // counter-clockwise seen from above
     mesh.vertices.insert(mesh.vertices.end(), {{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}});
@@ -99,6 +103,7 @@ Mesh trayMesh(const Eigen::Vector3d& size, double wall) {
   corners(x, y, size.z());                // 4: outer rim
   corners(x - wall, y - wall, size.z());  // 8: inner rim
   corners(x - wall, y - wall, wall);      // 12: floor
+
   mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {12, 13, 14}, {12, 14, 15}};
   for (const int base : {0, 4, 8})
     for (int k = 0; k < 4; ++k) {

@@ -25,6 +25,7 @@ std::vector<Eigen::Vector3f> cornerNormals(const Mesh& mesh, const Eigen::Matrix
   };
   for (size_t k = 0; k < mesh.triangles.size(); ++k)
     for (int v : mesh.triangles[k]) around[key(v)].push_back(int(k));
+
   std::vector<Eigen::Vector3f> normals;
   normals.reserve(3 * mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) {

@@ -45,6 +45,7 @@ float FastRenderer::samplePixel(int x, int y) const {
   Eigen::Vector3f directions[kLanes];
   float sum = 0;
   const uint32_t key = mixBits(mixBits(key_, uint32_t(x)), uint32_t(y));
+
   for (int first = 0; first < kAxis * kAxis; first += kLanes) {
     for (int k = 0; k < kLanes; ++k) {
       const int sample = first + k;
@@ -54,10 +55,9 @@ float FastRenderer::samplePixel(int x, int y) const {
       const Eigen::Vector2f r = ray(x, y, s, t);
       const Eigen::Vector3f d = directions[k] = rayInWorld(r.x(), r.y());
       rays.valid[k] = -1;
-      rays.ox[k] = origin_.x(), rays.oy[k] = origin_.y(), rays.oz[k] = origin_.z();
-      rays.dx[k] = d.x(), rays.dy[k] = d.y(), rays.dz[k] = d.z();
-      rays.far[k] = std::numeric_limits<float>::infinity();
+      rays.set(k, origin_, d, std::numeric_limits<float>::infinity());
     }
+
     world_.cast(rays, kNear, &hits);
     for (int k = 0; k < kLanes; ++k) {
       if (hits.body[k] < 0) {
@@ -77,6 +77,7 @@ LightShares FastRenderer::borrowedShares(int x, int y, const SurfacePoint& point
   LightShares shares;
   shares.fill(1);
   if (!shadows_) return shares;
+
   const PixelHit* best = nullptr;
   int best_x = 0, best_y = 0;
   float nearest = 1e9f;
@@ -86,13 +87,18 @@ LightShares FastRenderer::borrowedShares(int x, int y, const SurfacePoint& point
       if (other.body != point.body || other.geometric.dot(point.geometric) < kSmooth) continue;
       const Eigen::Vector3f step = other.p - point.p;
       if (std::abs(step.dot(point.geometric)) > 2 * kStep || step.squaredNorm() >= nearest) continue;
-      nearest = step.squaredNorm(), best = &other, best_x = u, best_y = v;
+      nearest = step.squaredNorm();
+      best = &other;
+      best_x = u;
+      best_y = v;
     }
+
   for (int light = 0; light < look_.lights(); ++light) {
     if (best) {
       shares[size_t(light)] = shares_[size_t(light)](best_y, best_x);
       continue;
     }
+
     InstanceWorld::Rays rays;
     std::fill(rays.valid, rays.valid + kLanes, 0);
     const Eigen::Vector3f p = point.p + kLift * point.geometric;
@@ -100,9 +106,8 @@ LightShares FastRenderer::borrowedShares(int x, int y, const SurfacePoint& point
                                  (float(sample / kAxis) + 0.5f) / kAxis);
     const Eigen::Vector3f to_light = look_.toLight(light, p, square);
     rays.valid[0] = -1;
-    rays.ox[0] = p.x(), rays.oy[0] = p.y(), rays.oz[0] = p.z();
-    rays.dx[0] = to_light.x(), rays.dy[0] = to_light.y(), rays.dz[0] = to_light.z();
-    rays.far[0] = 1;
+    rays.set(0, p, to_light, 1);
+
     bool blocked[kLanes];
     world_.blocked(rays, blocked);
     shares[size_t(light)] = blocked[0] ? 0.0f : 1.0f;

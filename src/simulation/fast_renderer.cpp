@@ -33,6 +33,7 @@ FastRenderer::FastRenderer(const Camera& camera, const InstanceWorld& world, con
     }
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) centre_rays_.push_back(ray(x, y, 0.5f, 0.5f));
+
   for (int k = 0; k < look.lights(); ++k) {
     lit_.emplace_back(height_, width_);
     mixed_.emplace_back(height_, width_);
@@ -58,10 +59,9 @@ void FastRenderer::findHits(int first_row, int last_row) {
         rays.valid[k] = x + k < width_ ? -1 : 0;
         const Eigen::Vector2f r = centreRay(std::min(x + k, width_ - 1), y);
         const Eigen::Vector3f d = rayInWorld(r.x(), r.y());
-        rays.ox[k] = origin_.x(), rays.oy[k] = origin_.y(), rays.oz[k] = origin_.z();
-        rays.dx[k] = d.x(), rays.dy[k] = d.y(), rays.dz[k] = d.z();
-        rays.far[k] = std::numeric_limits<float>::infinity();
+        rays.set(k, origin_, d, std::numeric_limits<float>::infinity());
       }
+
       world_.cast(rays, kNear, &hits);
       for (int k = 0; k < kLanes && x + k < width_; ++k) {
         PixelHit& out = hit(x + k, y);

@@ -41,15 +41,19 @@ void FastRenderer::sortShadows() {
   const cv::Mat thirteen(13, 13, CV_8UC1, cv::Scalar(1));
   cv::Mat1b near_edge, low, high;
   cv::dilate(edges_, near_edge, thirteen);
+
   for (int light = 0; light < look_.lights(); ++light) {
     const cv::Mat1b& lit = lit_[size_t(light)];
     cv::Mat1f mean, least, most;
     cv::boxFilter(lit, mean, CV_32F, {5, 5}, {-1, -1}, true, cv::BORDER_REPLICATE);
-    cv::erode(mean, least, nine), cv::dilate(mean, most, nine);
+    cv::erode(mean, least, nine);
+    cv::dilate(mean, most, nine);
     cv::boxFilter(lit, wide_shares_[size_t(light)], CV_32F, {13, 13}, {-1, -1}, true, cv::BORDER_REPLICATE);
     const cv::Mat1b sharp = (most - least > kGrain) | near_edge;
     wide_shares_[size_t(light)].setTo(-1, sharp);
-    cv::erode(lit, low, five), cv::dilate(lit, high, five);
+
+    cv::erode(lit, low, five);
+    cv::dilate(lit, high, five);
     mixed_[size_t(light)] = (low != high) & sharp;
     cv::dilate(mixed_[size_t(light)], soft_[size_t(light)], thirteen);
   }
@@ -77,12 +81,14 @@ void FastRenderer::shadowPixels(int x, int y, int light, int first_sample, int l
     rays.valid[k] = look_.faces(light, surface(hit(x + k, y))) ? -1 : 0;
     any = any || rays.valid[k];
   }
+
   for (int step = first_sample; any && step < last_sample; ++step) {
     for (int k = 0; k < kLanes; ++k) {
       if (!rays.valid[k]) continue;
       const PixelHit& here = hit(x + k, y);
       // Which quarter comes first differs between neighbours, too: together they see the whole disc.
       const int sample = (step + (x + k) + 2 * y) & 3;
+
       // The sample's own place in the pixel, on the plane of the pixel's surface.
       const Eigen::Vector2f r = ray(x + k, y, sample & 1 ? 0.75f : 0.25f, sample & 2 ? 0.75f : 0.25f);
       const Eigen::Vector3f d = rayInWorld(r.x(), r.y());
@@ -90,13 +96,13 @@ void FastRenderer::shadowPixels(int x, int y, int light, int first_sample, int l
       float depth = std::abs(slope) > 1e-6f ? here.geometric.dot(here.p - origin_) / slope : here.depth;
       depth = std::clamp(depth, 0.98f * here.depth, 1.02f * here.depth);
       const Eigen::Vector3f p = origin_ + depth * d + kLift * here.geometric;
+
       const uint32_t bits = mixBits(key_ + uint32_t(light) + uint32_t(x + k) * 0x9e3779b9u +
                                     uint32_t(4 * y + sample) * 0x85ebca6bu);
       const Eigen::Vector3f to_light = look_.toLight(light, p, discCell(x + k, y, sample, bits));
-      rays.ox[k] = p.x(), rays.oy[k] = p.y(), rays.oz[k] = p.z();
-      rays.dx[k] = to_light.x(), rays.dy[k] = to_light.y(), rays.dz[k] = to_light.z();
-      rays.far[k] = 1;
+      rays.set(k, p, to_light, 1);
     }
+
     bool blocked[kLanes] = {};
     world_.blocked(rays, blocked);
     for (int k = 0; k < kLanes; ++k)
@@ -122,7 +128,8 @@ float FastRenderer::nearShare(int x, int y, int light) const {
     for (int u = left; u <= right; ++u) {
       if (!sameSurface(here, hit(u, v))) continue;
       const int w = (2 - std::abs(u - x)) * (2 - std::abs(v - y));
-      sum += w * lit(v, u), weight += w;
+      sum += w * lit(v, u);
+      weight += w;
     }
   return float(sum) / float(4 * weight);
 }
@@ -136,6 +143,7 @@ float FastRenderer::lightShare(int x, int y, int light) const {
   const float own = shares(y, x), wide = wide_shares_[size_t(light)](y, x);
   if (wide >= 0) return wide;
   if (!soft_[size_t(light)](y, x)) return own;
+
   const PixelHit& here = hit(x, y);
   float sum = 0, low = 1, high = 0;
   int count = 0;
@@ -144,9 +152,11 @@ float FastRenderer::lightShare(int x, int y, int light) const {
     for (int u = x - kReach; u <= x + kReach; u += kStride) {
       if (u < 0 || u >= width_ || !sameSurface(here, hit(u, v))) continue;
       const float share = shares(v, u);
-      low = std::min(low, share), high = std::max(high, share);
+      low = std::min(low, share);
+      high = std::max(high, share);
       if (high - low > kGrain) return own;
-      sum += share, ++count;
+      sum += share;
+      ++count;
     }
   }
   return sum / float(count);

@@ -14,15 +14,18 @@ Footprint footprint(const SceneObject& object, double grow) {
     const Eigen::Vector3d q = object.world_from_object * p / kCell;
     cells.emplace_back(int(std::lround(q.x())), int(std::lround(q.y())));
   }
+
   const int margin = int(std::ceil(grow / kCell));
   const cv::Rect box = cv::boundingRect(cells);
   Footprint out{cv::Mat1b(box.height + 2 * margin, box.width + 2 * margin, uchar(0)),
                 cv::Point(box.x - margin, box.y - margin)};
+
   for (const auto& triangle : object.mesh->triangles) {
     const cv::Point corners[3] = {cells[triangle[0]] - out.corner, cells[triangle[1]] - out.corner,
                                   cells[triangle[2]] - out.corner};
     cv::fillConvexPoly(out.mask, corners, 3, cv::Scalar(255));
   }
+
   if (margin > 0)
     cv::dilate(out.mask, out.mask,
                cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * margin + 1, 2 * margin + 1)));

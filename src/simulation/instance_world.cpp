@@ -43,6 +43,22 @@ void setPose(RTCGeometry instance, const Rigid3& world_from_body) {
   rtcCommitGeometry(instance);
 }
 
+// Lane k of a packet of Embree's.
+void setLane(const InstanceWorld::Rays& rays, int k, float near, RTCRay8* packet) {
+  packet->org_x[k] = rays.ox[k];
+  packet->org_y[k] = rays.oy[k];
+  packet->org_z[k] = rays.oz[k];
+  packet->dir_x[k] = rays.dx[k];
+  packet->dir_y[k] = rays.dy[k];
+  packet->dir_z[k] = rays.dz[k];
+  packet->tnear[k] = near;
+  packet->tfar[k] = rays.far[k];
+  packet->time[k] = 0;
+  packet->mask[k] = ~0u;
+  packet->id[k] = 0;
+  packet->flags[k] = 0;
+}
+
 }  // namespace
 
 InstanceWorld::InstanceWorld(const std::vector<const Mesh*>& meshes) {
@@ -90,21 +106,22 @@ void InstanceWorld::place(const std::vector<Rigid3>& world_from_body, const std:
 void InstanceWorld::cast(const Rays& rays, float near, Hits* hits) const {
   RTCRayHit8 packet;
   for (int k = 0; k < kLanes; ++k) {
-    packet.ray.org_x[k] = rays.ox[k], packet.ray.org_y[k] = rays.oy[k], packet.ray.org_z[k] = rays.oz[k];
-    packet.ray.dir_x[k] = rays.dx[k], packet.ray.dir_y[k] = rays.dy[k], packet.ray.dir_z[k] = rays.dz[k];
-    packet.ray.tnear[k] = near, packet.ray.tfar[k] = rays.far[k];
-    packet.ray.time[k] = 0, packet.ray.mask[k] = ~0u, packet.ray.id[k] = 0, packet.ray.flags[k] = 0;
+    setLane(rays, k, near, &packet.ray);
     packet.hit.geomID[k] = packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
   }
+
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect8(rays.valid, seen_, &context, &packet);
+
   for (int k = 0; k < kLanes; ++k) {
     const unsigned body = packet.hit.instID[0][k];
     hits->body[k] = rays.valid[k] && packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID ? int(body) : -1;
     if (hits->body[k] < 0) continue;
-    hits->t[k] = packet.ray.tfar[k], hits->u[k] = packet.hit.u[k], hits->v[k] = packet.hit.v[k];
+    hits->t[k] = packet.ray.tfar[k];
+    hits->u[k] = packet.hit.u[k];
+    hits->v[k] = packet.hit.v[k];
     hits->triangle[k] = packet.hit.primID[k];
     const Eigen::Vector3f in_body(packet.hit.Ng_x[k], packet.hit.Ng_y[k], packet.hit.Ng_z[k]);
     Eigen::Vector3f n = (rotations_[body] * in_body).normalized();
@@ -115,12 +132,7 @@ void InstanceWorld::cast(const Rays& rays, float near, Hits* hits) const {
 
 void InstanceWorld::blocked(const Rays& rays, bool* blocked) const {
   RTCRay8 packet;
-  for (int k = 0; k < kLanes; ++k) {
-    packet.org_x[k] = rays.ox[k], packet.org_y[k] = rays.oy[k], packet.org_z[k] = rays.oz[k];
-    packet.dir_x[k] = rays.dx[k], packet.dir_y[k] = rays.dy[k], packet.dir_z[k] = rays.dz[k];
-    packet.tnear[k] = 0, packet.tfar[k] = rays.far[k];
-    packet.time[k] = 0, packet.mask[k] = ~0u, packet.id[k] = 0, packet.flags[k] = 0;
-  }
+  for (int k = 0; k < kLanes; ++k) setLane(rays, k, 0, &packet);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;

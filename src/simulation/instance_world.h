@@ -24,6 +24,17 @@ class InstanceWorld {
   struct alignas(32) Rays {  ///< lanes of a packet
     float ox[kLanes], oy[kLanes], oz[kLanes], dx[kLanes], dy[kLanes], dz[kLanes], far[kLanes];
     alignas(32) int valid[kLanes];  ///< -1: cast, 0: not
+
+    /// The ray of lane k; whether it is cast is left to `valid`.
+    void set(int k, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float until) {
+      ox[k] = origin.x();
+      oy[k] = origin.y();
+      oz[k] = origin.z();
+      dx[k] = direction.x();
+      dy[k] = direction.y();
+      dz[k] = direction.z();
+      far[k] = until;
+    }
   };
   struct Hits {
     float t[kLanes], u[kLanes], v[kLanes];

@@ -27,12 +27,14 @@ std::vector<SharedEdge> sharedEdges(const Mesh& mesh) {
   using Position = std::array<double, 3>;
   std::map<std::pair<Position, Position>, int> open;
   std::vector<SharedEdge> out;
+
   for (size_t k = 0; k < mesh.triangles.size(); ++k)
     for (size_t side = 0; side < 3; ++side) {
       const Eigen::Vector3d& p = mesh.vertices[size_t(mesh.triangles[k][side])];
       const Eigen::Vector3d& q = mesh.vertices[size_t(mesh.triangles[k][(side + 1) % 3])];
       const Position from{p.x(), p.y(), p.z()}, to{q.x(), q.y(), q.z()};
       const auto key = std::minmax(from, to);
+
       const auto found = open.find(key);
       if (found == open.end()) {
         open[key] = int(k);

@@ -181,6 +181,7 @@ void shapeIn(Sheet* sheet, const cv::Rect& box, double tone, double outline) {
   const cv::Point centre(box.x + int(box.width * sheet->share(0.2, 0.8)),
                          box.y + int(box.height * sheet->share(0.2, 0.8)));
   const double radius = std::min(box.width, box.height) * sheet->share(0.12, 0.5);
+
   switch (sheet->random().integer(0, 4)) {
     case 0: {
       const Points points =
@@ -361,6 +362,7 @@ void drawPage(Sheet* sheet) {
   sheet->fill(sheet->share(0.65, 0.9));
   cv::Rect left = inner({sheet->width(), sheet->height()}, 0.1);
   const double ink = sheet->share(0.04, 0.2);
+
   while (left.height > sheet->height() / 10) {
     const int part = std::max(8, int(left.height * sheet->share(0.2, 0.6)));
     const cv::Rect block(left.x, left.y, left.width, std::min(part, left.height));
@@ -376,6 +378,7 @@ void drawPage(Sheet* sheet) {
         linesOfText(sheet, block, std::max(1, block.height / std::max(5, sheet->height() / 30)), ink);
         break;
     }
+
     const int used = part + sheet->height() / 40 + 1;
     left.y += used;
     left.height -= used;
@@ -399,6 +402,7 @@ cv::Mat_<cv::Vec2f> drawArt(Art art, const cv::Size& texels, double ground, Gene
   const cv::Size size(std::clamp(texels.width, 4, 1600), std::clamp(texels.height, 4, 1600));
   Sheet sheet(size, ground, random);
   const cv::Rect whole = inner(size, 0.05);
+
   switch (art) {
     case Art::kText:
       linesOfText(&sheet, whole, random->integer(1, 4), sheet.ink());
@@ -440,6 +444,7 @@ cv::Mat_<cv::Vec2f> drawArt(Art art, const cv::Size& texels, double ground, Gene
       drawRuler(&sheet);
       break;
   }
+
   return sheet.picture();
 }
 

@@ -36,16 +36,19 @@ bool markCurved(const Mesh& mesh, double texel, double ground, Generator* random
   }
   const double size = (high - low).minCoeff() * random->uniform(0.4, 1.0);
   if (size < kLeastTexels * texel) return false;
+
   const auto& t = mesh.triangles[size_t(random->integer(0, int(mesh.triangles.size()) - 1))];
   const Eigen::Vector3d &a = mesh.vertices[size_t(t[0])], &b = mesh.vertices[size_t(t[1])],
                         &c = mesh.vertices[size_t(t[2])];
   const Eigen::Vector3d area = (b - a).cross(c - a);
   if (!(area.norm() > 0)) return false;
+
   Rigid3 frame;
   const Eigen::Vector3d z = area.normalized(), x = z.unitOrthogonal();
   frame.rotation << x, z.cross(x), z;
   frame.translation = (a + b + c) / 3;
   frame = frame * turned(random->uniform(0, 2 * M_PI), 0, 0);
+
   Print print =
       makePrint(drawMark(random), frame, size, size * random->uniform(0.3, 0.9), texel, ground, random);
   print.reach = 0.35 * size;
@@ -120,6 +123,7 @@ std::vector<Print> drawPrints(const Mesh& mesh, PrintPlan plan, double texel, do
     if (!mesh.triangles.empty()) markCurved(mesh, texel, ground, random, &prints);
     return prints;
   }
+
   switch (plan) {
     case PrintPlan::kMarked: {
       const int marks = random->integer(1, 4);
@@ -142,6 +146,7 @@ std::vector<Print> drawPrints(const Mesh& mesh, PrintPlan plan, double texel, do
       }
       break;
   }
+
   return prints;
 }
 

@@ -31,6 +31,7 @@ RenderOptions drawSensor(Generator* random, const RandomPictureOptions& options)
     render.samples = std::max(1, options.samples - 1);
     render.edge_samples = std::max(render.samples, render.edge_samples - 1);
   }
+
   switch (options.scene.level) {
     case SceneLevel::kEasy:
       render.blur_sigma = 0.35;
@@ -45,6 +46,7 @@ RenderOptions drawSensor(Generator* random, const RandomPictureOptions& options)
       render.noise_sigma = 3.5;
       break;
   }
+
   return render;
 }
 

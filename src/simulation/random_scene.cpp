@@ -220,12 +220,14 @@ Scene randomScene(const std::vector<NamedMesh>& models, uint32_t seed, const Ran
   const int clutter =
       options.clutter >= 0 ? options.clutter : random.integer(rule.min_clutter, rule.max_clutter);
   if (parts > 0 && models.empty()) throw BadInput("random scene: no models to choose the parts from");
+
   Scene scene;
   scene.table.material = randomMaterial(&random);
   scene.table.material.specular *= 0.1;
   scene.table.material.texture = randomTexture(&random, rule.texture);
   const Layout layout = drawLayout(&random, models, options, rule);
   Placer placer(&random, layout.spread, rule.gap * layout.scale);
+
   std::vector<SceneObject> to_pile;
   for (int k = 0; k < parts; ++k) {
     SceneObject object = drawPart(&random, models, layout.models);
@@ -244,6 +246,7 @@ Scene randomScene(const std::vector<NamedMesh>& models, uint32_t seed, const Ran
     object.model = -1;
     if (placer.place(&object, drawPose(stablePoses(*object.mesh), &random))) scene.objects.push_back(object);
   }
+
   const bool mixed = options.appearance == Appearance::kMixed;
   Generator looks(mixBits(seed, 0x100c5u));  // of its own: the arrangement stays that of the plain scene
   for (int k = 0; k < clutter; ++k) {
@@ -256,6 +259,7 @@ Scene randomScene(const std::vector<NamedMesh>& models, uint32_t seed, const Ran
     pile(&random, layout.spread, &object, scene.objects);
     scene.objects.push_back(object);
   }
+
   addLights(&random, &scene);
   aimCamera(&random, options, rule, layout, &scene);
   if (mixed) {

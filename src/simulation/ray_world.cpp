@@ -23,8 +23,12 @@ void checkMesh(const std::string& name, const Mesh* mesh) {
 
 RTCRayHit makeRay(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) {
   RTCRayHit ray;
-  ray.ray.org_x = origin.x(), ray.ray.org_y = origin.y(), ray.ray.org_z = origin.z();
-  ray.ray.dir_x = direction.x(), ray.ray.dir_y = direction.y(), ray.ray.dir_z = direction.z();
+  ray.ray.org_x = origin.x();
+  ray.ray.org_y = origin.y();
+  ray.ray.org_z = origin.z();
+  ray.ray.dir_x = direction.x();
+  ray.ray.dir_y = direction.y();
+  ray.ray.dir_z = direction.z();
   ray.ray.tnear = 0;
   ray.ray.tfar = std::numeric_limits<float>::infinity();
   ray.ray.time = 0;
@@ -44,9 +48,11 @@ RayWorld::RayWorld(const Scene& scene) {
     if (!object.world_from_object.isFinite())
       throw BadInput("scene: the pose of object '" + object.name + "' is not finite");
   }
+
   device_ = rtcNewDevice("threads=1,set_affinity=0");
   if (!device_) throw std::runtime_error("Embree gave no device");
   world_ = rtcNewScene(device_);
+
   for (const SceneObject& object : scene.objects) {
     RTCGeometry geometry = addMesh(*object.mesh, object.world_from_object);
     RTCScene alone = rtcNewScene(device_);
@@ -55,6 +61,7 @@ RayWorld::RayWorld(const Scene& scene) {
     alone_.push_back(alone);
     rtcReleaseGeometry(geometry);
   }
+
   if (scene.table.present)
     rtcReleaseGeometry(addMesh(quadMesh(2 * scene.table.half_width, 2 * scene.table.half_depth), Rigid3{}));
   rtcCommitScene(world_);

@@ -28,6 +28,7 @@ void RenderOptions::check() const {
     text << "render options: " << field << " = " << value << " " << rule;
     throw BadInput(text.str());
   };
+
   require(samples >= 1 && samples <= 16, "samples", samples, "must be 1..16");
   require(edge_samples >= samples && edge_samples <= 16, "edge_samples", edge_samples, "must be samples..16");
   require(occlusion_range > 0, "occlusion_range", occlusion_range, "must be positive");
@@ -93,13 +94,17 @@ Pixel samplePixel(const Shader& shader, const CameraRays& rays, int x, int y, in
   for (int k = 0; k < sampler.count(); ++k) {
     const Shader::Sample s =
         shader.radiance(rays.origin(), rays.direction(x, y, sampler.at(k, 0)), sampler, k);
-    if (k == 0) pixel.id = s.id, low = high = s.plain;
+    if (k == 0) {
+      pixel.id = s.id;
+      low = high = s.plain;
+    }
     pixel.mixed = pixel.mixed || s.id != pixel.id;
     low = std::min(low, s.plain);
     high = std::max(high, s.plain);
     sum += s.radiance;
     plain += s.plain;
   }
+
   pixel.mean = sum / float(sampler.count());
   pixel.plain = plain / float(sampler.count());
   pixel.mixed = pixel.mixed || differ(low, high);

@@ -48,9 +48,11 @@ cv::Mat sensorImage(const cv::Mat1f& radiance, const RenderOptions& options, dou
     light = light.clone();
     darkenCorners(options.vignetting, &light);
   }
+
   *exposure =
       options.exposure > 0 ? options.exposure : automaticExposure(light, options.mean, options.saturated);
   if (options.sharpening > 0) light = light + options.sharpening * (light - blurred(light, 1));
+
   cv::Mat grey(light.rows, light.cols, CV_8UC1);
   Generator random(options.seed ^ 0xa5a5u);
   for (int y = 0; y < grey.rows; ++y)

@@ -27,11 +27,13 @@ HeightMap heightMap(const SceneObject& object, bool upper) {
   for (const Eigen::Vector3d& p : object.mesh->vertices) points.push_back(object.world_from_object * p);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points) box.extend(p);
+
   const auto cell = [](double x) { return int(std::floor(x / kGrid)); };
   const cv::Point low(cell(box.min().x()) - 1, cell(box.min().y()) - 1);
   const cv::Point high(cell(box.max().x()) + 2, cell(box.max().y()) + 2);
   HeightMap map{cv::Rect(low, high), {}};
   map.z = cv::Mat1f(map.cells.size(), kNone);
+
   for (const auto& t : object.mesh->triangles) {
     const Eigen::Vector3d &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
     const Eigen::Vector2d u = (b - a).head<2>(), v = (c - a).head<2>();
@@ -73,8 +75,12 @@ Rigid3 tipped(const Mesh& mesh, const Rigid3& world_from_object, Eigen::Vector3d
   double nearest = -2;
   for (const StablePose& pose : poses) {
     const double cosine = down.dot(pose.table_from_object.rotation.transpose() * -Eigen::Vector3d::UnitZ());
-    if (cosine > nearest + 1e-9) nearest = cosine, best = &pose;
+    if (cosine > nearest + 1e-9) {
+      nearest = cosine;
+      best = &pose;
+    }
   }
+
   const Eigen::Vector3d best_down = best->table_from_object.rotation.transpose() * -Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d pivot = centreOfMass(mesh);
   *centre = world_from_object * pivot;
@@ -108,18 +114,24 @@ Rest settle(const SceneObject& object, const std::vector<const SceneObject*>& ot
   SceneObject resting = object;
   Eigen::Vector3d centre;
   resting.world_from_object = tipped(*object.mesh, object.world_from_object, &centre);
+
   const HeightMap underside = heightMap(resting, false);
   const double lowest = lowestPoint(resting);
   const bool over_table = table.present && std::abs(centre.x()) <= table.half_width &&
                           std::abs(centre.y()) <= table.half_depth && centre.z() > 0;
+
   Rest rest;
   rest.on = over_table ? kOnTable : kOnFloor;
   double drop = lowest - (over_table ? 0 : floor_z);
   for (size_t k = 0; k < others.size(); ++k) {
     if (!others[k]) continue;
     const double gap = clearance(underside, heightMap(*others[k], true));
-    if (gap < drop) drop = gap, rest.on = int(k);
+    if (gap < drop) {
+      drop = gap;
+      rest.on = int(k);
+    }
   }
+
   rest.world_from_object = resting.world_from_object;
   rest.world_from_object.translation.z() -= drop;
   return rest;

@@ -64,6 +64,7 @@ Shader::Shader(const Scene& scene, const RayWorld& world, const RenderOptions& o
     lights_.push_back({light.position.cast<float>(), (light.radius * x).cast<float>(),
                        (light.radius * axis.cross(x)).cast<float>()});
   }
+
   const auto add = [&](const Material& material, const Rigid3& world_from_object, const Mesh* mesh) {
     Surface surface;
     surface.material = &material;
@@ -77,6 +78,7 @@ Shader::Shader(const Scene& scene, const RayWorld& world, const RenderOptions& o
     }
     surfaces_.push_back(std::move(surface));
   };
+
   for (const SceneObject& object : scene.objects)
     add(object.material, object.world_from_object, object.mesh.get());
   add(scene.table.material, Rigid3{}, nullptr);
@@ -131,9 +133,11 @@ void Shader::roundOff(const RayWorld::Hit& hit, const Eigen::Vector3f& at, const
       point->plain = std::clamp(point->plain * (1 + worn), 0.0, 1.0);
     }
   }
+
   if (finish.edge_radius <= 0) return;
   const RoundedEdges::Bend bend = surface.edges.bend(hit.triangle, at, point->n);
   if (!bend.bent) return;
+
   point->n = bend.normal;
   const float away = point->n.dot(direction);
   if (away > 0) point->n = (point->n - away * direction).normalized();
@@ -177,6 +181,7 @@ Shader::Lit Shader::light(const Point& point, const Eigen::Vector3f& geometric,
   const Material& material = *point.surface->material;
   Lit lit{ambientAt(point.p, geometric, sampler.at(sample, 1)), 0};
   if (scene_.sky != 0) lit.diffuse *= std::max(0.0, 1 + scene_.sky * point.n.z());
+
   for (size_t k = 0; k < lights_.size(); ++k) {
     // The disc's middle gives the amount of light, a sampled point of it the shadow: smooth where nothing is
     // hidden.
@@ -185,6 +190,7 @@ Shader::Lit Shader::light(const Point& point, const Eigen::Vector3f& geometric,
     to_light /= std::sqrt(square_distance);
     const float cosine = point.n.dot(to_light);
     if (cosine <= 0 || point.flat.dot(to_light) <= 0) continue;
+
     const double share =
         options_.shadows ? lightShare(point.to_lights, lights_[k], sampler.at(sample, 2 + int(k))) : 1;
     if (share <= 0) continue;

@@ -17,6 +17,7 @@ void requirePositive(double value, const char* what) {
 Mesh revolve(const std::vector<Eigen::Vector2d>& profile, int segments) {
   if (segments < 3)
     throw BadInput("synthetic shape: segments = " + std::to_string(segments) + " must be >= 3");
+
   Mesh mesh;
   std::vector<int> first(profile.size());
   for (size_t k = 0; k < profile.size(); ++k) {
@@ -28,6 +29,7 @@ Mesh revolve(const std::vector<Eigen::Vector2d>& profile, int segments) {
                                  profile[k].y());
     }
   }
+
   for (size_t k = 0; k + 1 < profile.size(); ++k)
     for (int i = 0; i < segments; ++i) {
       const int j = (i + 1) % segments;

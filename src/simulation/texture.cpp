@@ -81,6 +81,7 @@ double textureFactor(const Texture& texture, const Eigen::Vector3d& p, const Eig
       value = bricks(p, n, texture.scale, texture.seed);
       break;
   }
+
   return 1 + texture.amplitude * std::max(-1.0, std::min(1.0, value));
 }
 

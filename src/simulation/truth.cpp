@@ -56,16 +56,19 @@ void writeTruth(const std::string& path, const std::vector<TruthObject>& objects
     Json node;
     node["name"] = object.name;
     node["model"] = object.model;
+
     std::vector<double> rotation(9), translation(3);
     for (int k = 0; k < 9; ++k) rotation[k] = object.camera_from_object.rotation(k / 3, k % 3);
     for (int k = 0; k < 3; ++k) translation[k] = object.camera_from_object.translation[k] * 1000;
     node["cam_R_m2c"] = rotation;
     node["cam_t_m2c"] = translation;
+
     node["visib_fract"] = object.visible_fraction;
     const cv::Rect& box = object.box_visible;
     node["bbox_visib"] = {box.x, box.y, box.width, box.height};
     list.push_back(node);
   }
+
   Json root;
   root["objects"] = list;
   std::ofstream file = openToWrite(path);

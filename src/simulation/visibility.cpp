@@ -15,8 +15,10 @@ cv::Rect projectedBox(const SceneObject& object, const Rigid3& camera_from_objec
       const Eigen::Vector3d p = camera_from_object * object.mesh->vertices[vertex];
       if (p.z() < 1e-3) return limits;
       const Eigen::Vector2d uv = camera.project(p);
-      low_u = std::min(low_u, uv.x()), high_u = std::max(high_u, uv.x());
-      low_v = std::min(low_v, uv.y()), high_v = std::max(high_v, uv.y());
+      low_u = std::min(low_u, uv.x());
+      high_u = std::max(high_u, uv.x());
+      low_v = std::min(low_v, uv.y());
+      high_v = std::max(high_v, uv.y());
     }
   const auto clip = [](double v) { return int(std::floor(std::min(1e6, std::max(-1e6, v)))); };
   const cv::Rect box(cv::Point(clip(low_u) - 1, clip(low_v) - 1),
@@ -43,15 +45,18 @@ std::vector<Visibility> visibility(const Scene& scene, const RayWorld& world, co
       out[id].pixels_visible++;
       out[id].box_visible |= cv::Rect(x, y, 1, 1);
     }
+
   const Eigen::Vector3f origin = scene.world_from_camera.translation.cast<float>();
   const Eigen::Matrix3d& rotation = scene.world_from_camera.rotation;
   const auto meets = [&](size_t k, const Eigen::Vector2d& uv_rect) {
     return world.meets(int(k), origin, (rotation * camera.ray(uv_rect)).normalized().cast<float>());
   };
+
   std::vector<Eigen::Vector2d> rectified(ids.total());
   for (int y = 0; y < ids.rows; ++y)
     for (int x = 0; x < ids.cols; ++x)
       rectified[size_t(y) * ids.cols + x] = camera.undistort(Eigen::Vector2d(x, y));
+
   // Rectified pixels far outside the image stand for what the sensor misses.
   const cv::Rect around(-camera.width, -camera.height, 3 * camera.width, 3 * camera.height);
   for (size_t k = 0; k < out.size(); ++k) {
@@ -64,6 +69,7 @@ std::vector<Visibility> visibility(const Scene& scene, const RayWorld& world, co
         if (!box.contains({int(std::floor(uv.x())), int(std::floor(uv.y()))})) continue;
         if (meets(k, uv)) out[k].pixels_alone++;
       }
+
     for (int y = box.y; y < box.y + box.height; ++y)
       for (int x = box.x; x < box.x + box.width; ++x) {
         const Eigen::Vector2d uv(x, y);

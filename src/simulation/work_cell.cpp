@@ -194,17 +194,22 @@ void WorkCell::Impl::takeAway(int object) {
 }
 
 bool WorkCell::Impl::moveGripper(double dt) {
-  if (gripper.target() == gripper.width()) return gripper.step(0, {}, {}), false;
+  if (gripper.target() == gripper.width()) {
+    gripper.step(0, {}, {});
+    return false;
+  }
   const double before = gripper.width();
   const Rigid3 world_from_tcp = table_from_base * base_from_links[tcp_link];
   const CellGripper::Outcome outcome =
       gripper.step(dt, world_from_tcp, {&cell.scene.objects, &cell.fixed, &absent, &solids});
+
   if (outcome.slipped >= 0)
     record(CellEvent::Kind::kSlipped, labels[size_t(outcome.slipped)], "", outcome.reason);
   if (outcome.jammed >= 0 &&
       in_collision.insert({labels[size_t(outcome.jammed)], nameOf(outcome.against)}).second)
     record(CellEvent::Kind::kCollision, labels[size_t(outcome.jammed)], nameOf(outcome.against),
            "pushed by a finger");
+
   if (outcome.grasped >= 0) {
     record(CellEvent::Kind::kGrasped, labels[size_t(outcome.grasped)]);
     absent[size_t(outcome.grasped)] = true;
@@ -214,10 +219,12 @@ bool WorkCell::Impl::moveGripper(double dt) {
     touched_at_grasp = solids.objectCollisions(outcome.grasped);
     solids.placeObject(outcome.grasped, cell.scene.objects[size_t(outcome.grasped)].world_from_object);
   }
+
   if (outcome.released >= 0) {
     record(CellEvent::Kind::kReleased, labels[size_t(outcome.released)]);
     letFall(outcome.released);
   }
+
   if (gripper.width() != before) placeArm();
   return gripper.width() != before || outcome.pushed;
 }
@@ -275,7 +282,10 @@ void WorkCell::Impl::findCollisions() {
 
 void WorkCell::Impl::step(double dt) {
   const bool arm_moved = moveArm(dt);
-  if (arm_moved) placeArm(), carry();
+  if (arm_moved) {
+    placeArm();
+    carry();
+  }
   const bool gripper_moved = moveGripper(dt);
   const bool fell = moveFalling();
   if (arm_moved || gripper_moved || fell) findCollisions();

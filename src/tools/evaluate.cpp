@@ -123,6 +123,7 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
   const bool truths_proposed = args.proposals == "truth";
   const DumpedPoses dumped =
       args.proposals.empty() || truths_proposed ? DumpedPoses() : DumpedPoses(args.proposals);
+
   Run run;
   for (const BopImage& image : split.images) {
     if (!args.proposals.empty())
@@ -130,10 +131,12 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
     const std::vector<int> truths = args.misses.empty() ? std::vector<int>() : wantedTruths(image, ids);
     request.traced = posesToTrace(image, truths, ids);
     request.support = supportPlane(args, image);
+
     const CameraImage input = source.load(image);
     const auto start = std::chrono::steady_clock::now();
     const RecognitionResult result = recognizer.recognize(input.grey, input.camera, request);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
     run.times[{image.scene, image.id}] = seconds;
     addRows(result.objects, ids, image, seconds, &run.results);
     addRows(result.objects, ids, image, seconds, &run.reported);
@@ -143,6 +146,7 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
       run.judged.push_back(std::move(pose));
     for (const TracedTruth& traced : tracedTruths(result.traces, image, truths, args.scale))
       run.traced.push_back(traced);
+
     char text[100];
     std::snprintf(text, sizeof text, "scene %d image %d: %zu objects in %.3f s", image.scene, image.id,
                   result.objects.size(), seconds);
@@ -253,12 +257,15 @@ int evaluate(const Arguments& args) {
   const std::vector<BopTarget> targets = loadTargets(args, split);
   keepImagesOf(targets, &split);
   writeBopResults(args.out, {});  // a path that cannot be written is told before the work, not after
+
   const Recognizer recognizer(modelBase(models), options);
   CandidateDump dump(models);
   Run run = recognizeAll(args, split, models, recognizer, args.dump.empty() ? nullptr : &dump);
+
   writeBopResults(args.out, run.results);
   writeImageTimes(imageTimesPath(args.out), run.times);
   if (!args.dump.empty()) dump.write(args.dump);
+
   run.results = readBopResults(args.out);  // the scores are those of the file
   run.times = readImageTimes(imageTimesPath(args.out));
   printScores(split, models, run, targets);

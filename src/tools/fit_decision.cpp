@@ -59,6 +59,7 @@ void readDump(const std::string& path, double undecidable, std::vector<JudgedSam
   const int index = table.column("candidate"), conflicts = table.column("conflicts");
   const int contests = table.column("contests");
   const int sum = table.column("sum");
+
   for (size_t row = 0; row < table.rows(); ++row) {
     JudgedSample sample;
     sample.image = path + " " + table.text(row, scene) + " " + table.text(row, image);
@@ -67,10 +68,12 @@ void readDump(const std::string& path, double undecidable, std::vector<JudgedSam
     if (sample.right) sample.truth = table.text(row, truth);
     sample.undecidable = !sample.right && table.number(row, adi, 1) < undecidable;
     sample.index = int(table.number(row, index));
+
     std::istringstream list(table.text(row, conflicts));
     for (int other = 0; list >> other;) sample.conflicts.push_back(other);
     sample.contests = parsedContests(table.text(row, contests));
     sample.rank_base = std::sqrt(std::max(0.0, table.number(row, sum)));
+
     std::map<std::string, double> named;
     for (const auto& [term, column] : terms) named[term] = table.number(row, column);
     sample.values = decisionValues(evidenceTerms(named));
@@ -128,6 +131,7 @@ void printChosen(const std::vector<JudgedSample>& samples, const std::vector<dou
   std::set<std::pair<std::string, std::string>> found, there;
   for (const JudgedSample& sample : samples)
     if (sample.right) there.insert({sample.image, sample.truth});
+
   for (size_t i : chosenSamples(samples, left_out)) {
     const double probability = weights.probability(left_out[i], leads[i]);
     if (!samples[i].undecidable) predictions.push_back({probability, samples[i].right});
@@ -136,6 +140,7 @@ void printChosen(const std::vector<JudgedSample>& samples, const std::vector<dou
     right += samples[i].right;
     if (samples[i].right) found.insert({samples[i].image, samples[i].truth});
   }
+
   printReliability(predictions);
   std::printf(
       "of the chosen at 0.5 and above: %d right of %d; %zu of %zu instances that have a right candidate\n",
@@ -146,6 +151,7 @@ void printChosen(const std::vector<JudgedSample>& samples, const std::vector<dou
 void printContests(const std::vector<DecidedContest>& contests, int folds) {
   std::map<std::string, int> fold;
   for (const DecidedContest& contest : contests) fold.emplace(contest.part, int(fold.size()) % folds);
+
   int won = 0, sure = 0, sure_won = 0;
   double loss = 0;
   for (int left_out = 0; left_out < folds; ++left_out) {
@@ -153,6 +159,7 @@ void printContests(const std::vector<DecidedContest>& contests, int folds) {
     for (const DecidedContest& c : contests)
       if (fold.at(c.part) != left_out) seen.push_back(c);
     const ContestWeights weights = fitContest(seen);
+
     for (const DecidedContest& c : contests) {
       if (fold.at(c.part) != left_out) continue;
       const double log_odds = weights.logOdds(c.contest);
@@ -162,6 +169,7 @@ void printContests(const std::vector<DecidedContest>& contests, int folds) {
       loss += std::log1p(std::exp(-log_odds)) / double(contests.size());
     }
   }
+
   std::printf(
       "%zu contests of a right with a wrong pose: the right one preferred in %d, by 0.8 and more in %d of "
       "%d; "
@@ -216,6 +224,7 @@ int main(int argc, char** argv) {
       "The file it writes is given to the tools by --decision, to the node by its parameter "
       "recognition/decision.",
       "fit_decision");
+
   app.add_option("dumps", args.dumps, "CSV files of evaluate --dump")->required()->check(CLI::ExistingFile);
   app.add_option("--out", args.out, "YAML of the weights")->required();
   app.add_option("--source", args.source, "when and on what they were fitted, kept in the file");
@@ -232,6 +241,7 @@ int main(int argc, char** argv) {
          "wrong poses whose surface lies nearer than this to the true one's, as a share of the diameter, "
          "are left out of the fit")
       ->capture_default_str();
+
   int exit_code = 0;
   if (!parseArguments(&app, argc, argv, &exit_code)) return exit_code;
   return runTool("fit_decision", [&] { return fitDecisionTool(args); });

@@ -96,6 +96,7 @@ std::vector<std::string> describe(const KnownObject& object) {
   const ObjectModel& m = object.model;
   const Eigen::Vector3d size = 1000 * m.bounds.sizes(), low = 1000 * m.bounds.min();
   const int full = fullCircles(m);
+
   std::vector<std::string> lines;
   lines.push_back(m.name);
   lines.push_back("  size        " + text("%.2f x %.2f x %.2f mm", size.x(), size.y(), size.z()) +
@@ -103,6 +104,7 @@ std::vector<std::string> describe(const KnownObject& object) {
   lines.push_back("  lowest      " + text("(%.2f, %.2f, %.2f) mm", low.x(), low.y(), low.z()));
   lines.push_back("  mesh        " + std::to_string(m.mesh.triangles.size()) + " triangles, " +
                   std::to_string(m.mesh.vertices.size()) + " vertices, " + (m.closed ? "closed" : "open"));
+
   lines.push_back("  faces       " + std::to_string(count(m, Surface::Kind::kPlane)) + " planes, " +
                   std::to_string(count(m, Surface::Kind::kCylinder)) + " cylinders, " +
                   std::to_string(count(m, Surface::Kind::kFreeform)) + " free forms");
@@ -113,6 +115,7 @@ std::vector<std::string> describe(const KnownObject& object) {
   if (rounded(m.edges) + rounded(m.circles) > 0)
     lines.push_back("  of these    " + std::to_string(rounded(m.edges)) + " edges and " +
                     std::to_string(rounded(m.circles)) + " circles or arcs are rounded");
+
   lines.push_back("  symmetry    " + symmetryText(m.symmetries));
   lines.push_back("  views       " + std::to_string(object.views.directions) + " directions x " +
                   std::to_string(object.views.distances.size()) + " distances, " +
@@ -124,6 +127,7 @@ std::vector<std::string> describe(const KnownObject& object) {
 nlohmann::json asJson(const KnownObject& object) {
   const ObjectModel& m = object.model;
   const auto list = [](const Eigen::Vector3d& v) { return std::vector<double>{v.x(), v.y(), v.z()}; };
+
   nlohmann::json j;
   j["name"] = m.name;
   j["size_m"] = list(m.bounds.sizes());
@@ -131,6 +135,7 @@ nlohmann::json asJson(const KnownObject& object) {
   j["diameter_m"] = m.diameter;
   j["triangles"] = m.mesh.triangles.size();
   j["closed"] = m.closed;
+
   j["planes"] = count(m, Surface::Kind::kPlane);
   j["cylinders"] = count(m, Surface::Kind::kCylinder);
   j["freeforms"] = count(m, Surface::Kind::kFreeform);
@@ -140,6 +145,7 @@ nlohmann::json asJson(const KnownObject& object) {
   j["arcs"] = m.circles.size() - fullCircles(m);
   j["rounded_edges"] = rounded(m.edges);
   j["rounded_circles"] = rounded(m.circles);
+
   j["equal_poses"] = m.symmetries.discrete.size();
   for (const Rigid3& s : m.symmetries.discrete)
     j["equal_pose_transforms"].push_back(
@@ -150,6 +156,7 @@ nlohmann::json asJson(const KnownObject& object) {
     j["axis"] = {{"direction", list(m.symmetries.axis->direction)},
                  {"point_m", list(m.symmetries.axis->point)}};
   }
+
   j["view_directions"] = object.views.directions;
   j["characteristic_views"] = object.views.characteristic.size();
   j["warnings"] = m.warnings;
@@ -160,6 +167,7 @@ void check(const Arguments& arguments) {
   const ModelBase base = compileModelBase(entriesOf(arguments), {}, "", [](const std::string& step) {
     std::cerr << "model_check: " << step << std::endl;
   });
+
   nlohmann::json report = nlohmann::json::array();
   std::vector<cv::Mat> pictures;
   for (const KnownObject& object : base.objects) {
@@ -168,12 +176,14 @@ void check(const Arguments& arguments) {
     report.push_back(asJson(object));
     if (!arguments.png.empty()) pictures.push_back(modelPicture(object.model, lines));
   }
+
   if (!arguments.json.empty()) {
     std::ofstream out(arguments.json);
     out << report.dump(2) << "\n";
     out.close();
     if (!out) throw BadInput(arguments.json + ": cannot be written; check the folder");
   }
+
   if (pictures.empty()) return;
   cv::Mat all;
   cv::vconcat(pictures, all);
@@ -194,17 +204,20 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Shows what recognition can see in CAD files: size, faces, edges, circles, symmetries, views, "
       "warnings.");
+
   app.add_option("FILE", arguments.files, "STL, OBJ, PLY or DAE files, or a model base (.yaml)")->required();
   app.add_option("--unit", arguments.unit,
                  "what one unit of the files is: m, cm, mm, inch (a .yaml states its own)")
       ->capture_default_str();
   app.add_option("--png", arguments.png, "draw the models, one below the other");
   app.add_option("--json", arguments.json, "write the figures");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 1;
   }
+
   try {
     monocular_eye_hand::check(arguments);
   } catch (const monocular_eye_hand::BadInput& e) {

@@ -82,11 +82,13 @@ void drawFeatures(const ObjectModel& model, const View& view, cv::Mat* picture) 
                       : kSilhouette,
              2, cv::LINE_AA, 4);
   }
+
   for (const ModelCorner& c : model.corners) {
     const Eigen::Vector3d start = c.p + 0.01 * (view.eye - model.centre()) / 3.0;
     if (model.rays->occluded(start, view.eye)) continue;
     cv::circle(*picture, fixed(view.project(c.p)), 4 * 16, kCorner, cv::FILLED, cv::LINE_AA, 4);
   }
+
   if (model.symmetries.axis) {
     const SymmetryAxis& a = *model.symmetries.axis;
     const Eigen::Vector3d middle = a.point + a.direction * a.direction.dot(model.centre() - a.point);
@@ -103,6 +105,7 @@ cv::Mat modelPicture(const ObjectModel& model, const std::vector<std::string>& t
   const View view(model);
   shade(model, view, &picture);
   drawFeatures(model, view, &picture);
+
   int y = 30;
   const auto write = [&](const std::string& line, const cv::Scalar& colour) {
     constexpr size_t kColumns = 54;
@@ -118,6 +121,7 @@ cv::Mat modelPicture(const ObjectModel& model, const std::vector<std::string>& t
       k = end;
     }
   };
+
   for (const std::string& line : text) write(line, kText);
   y += 10;
   write("straight edges", kEdge);

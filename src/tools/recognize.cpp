@@ -77,6 +77,7 @@ ImageReport process(const Arguments& args, const Recognizer& recognizer, const C
                     const OutputNames& names, const std::string& path, size_t number) {
   ImageReport report;
   report.image = path;
+
   cv::Mat grey;
   try {
     grey = loadGreyImage(path);
@@ -89,6 +90,7 @@ ImageReport process(const Arguments& args, const Recognizer& recognizer, const C
     report.error = e.what();
     return report;
   }
+
   if (!args.overlay.empty())
     writePicture(names.file(args.overlay, number),
                  drawResult(grey, camera, recognizer.models(), report.result));
@@ -181,6 +183,7 @@ int main(int argc, char** argv) {
                "recognize");
   app.footer(
       "Exit code: 0 when every image was processed, whether or not something was found; 1 on bad input.");
+
   app.add_option("--objects", args.objects, "model base: YAML list of CAD files, as config/objects.yaml");
   app.add_option(
       "--camera", args.camera,
@@ -211,6 +214,7 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_flag("--show-options", args.show_options, "print the effective options as YAML and stop");
   app.add_option("images", args.images, "image files, folders or printf patterns (img_%04d.png)");
+
   int exit_code = 0;
   if (!parseArguments(&app, argc, argv, &exit_code)) return exit_code;
   return runTool("recognize", [&] { return recognize(args); });

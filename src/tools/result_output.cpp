@@ -47,20 +47,24 @@ Json objectJson(const ObjectEstimate& object, const ModelBase& models) {
   out["probability"] = object.probability;
   out["plausibility"] = object.plausibility;
   out["reliability"] = object.reliability;
+
   out["pose"] = poseJson(object.camera_from_object);
   out["covariance"] = list(covariance.data(), 36);
   out["free_axis"] = object.free_axis;
   out["symmetry"] = object.symmetry;
+
   out["matched_features"] = object.matched_features;
   out["expected_features"] = object.expected_features;
   out["matched_groupings"] = object.matched_groupings;
   out["characteristic_view"] = object.characteristic_view;
   const cv::Rect& box = object.bounding_box;
   out["bounding_box"] = {box.x, box.y, box.width, box.height};
+
   out["reason"] = object.reason;
   out["spoke_for"] = object.spoke_for;
   out["spoke_against"] = object.spoke_against;
   out["evidence"] = object.evidence;
+
   out["alternatives"] = Json::array();
   for (const Alternative& alternative : object.alternatives)
     out["alternatives"].push_back({{"name", models.objects.at(size_t(alternative.object)).model.name},
@@ -97,16 +101,19 @@ Json toJson(const ImageReport& report, const ModelBase& models) {
     out["error"] = report.error;
     return out;
   }
+
   const RecognitionResult& result = report.result;
   out["seconds"] = report.seconds;
   out["truncated"] = result.truncated;
   out["budget_spent"] = result.budget_spent;
   out["reason"] = result.reason;
+
   for (const auto& [key, objects] :
        {std::make_pair("objects", &result.objects), std::make_pair("rejected", &result.rejected)}) {
     out[key] = Json::array();
     for (const ObjectEstimate& object : *objects) out[key].push_back(objectJson(object, models));
   }
+
   out["stages"] = Json::array();
   for (const StageReport& stage : result.stages)
     out["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"counts", stage.counts}});

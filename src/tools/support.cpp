@@ -46,10 +46,12 @@ RecognitionOptions recognitionOptions(const std::string& yaml_path, const std::v
       throw BadInput(yaml_path + ": " + e.what());
     }
   }
+
   for (const std::string& setting : settings) {
     const size_t equals = setting.find('=');
     if (equals == 0 || equals == std::string::npos)
       throw BadInput("--set " + setting + ": of the form key=value or group.key=value");
+
     OptionTree tree = parseYaml(setting.substr(equals + 1), "--set " + setting);
     for (std::string key = setting.substr(0, equals); !key.empty();) {
       const size_t dot = key.rfind('.');
@@ -58,6 +60,7 @@ RecognitionOptions recognitionOptions(const std::string& yaml_path, const std::v
       tree = std::move(outer);
       key = dot == std::string::npos ? "" : key.substr(0, dot);
     }
+
     try {
       readOptions(tree, &options);
     } catch (const BadInput& e) {

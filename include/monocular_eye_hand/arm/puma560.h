@@ -19,7 +19,10 @@ struct JointLimit {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("lower", lower), v("upper", upper), v("velocity", velocity), v("acceleration", acceleration);
+    v("lower", lower);
+    v("upper", upper);
+    v("velocity", velocity);
+    v("acceleration", acceleration);
   }
 };
 
@@ -38,8 +41,13 @@ struct Puma560Options {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("shoulder_height", shoulder_height), v("a2", a2), v("a3", a3), v("d3", d3), v("d4", d4), v("d6", d6),
-        v("joints", joints);
+    v("shoulder_height", shoulder_height);
+    v("a2", a2);
+    v("a3", a3);
+    v("d3", d3);
+    v("d4", d4);
+    v("d6", d6);
+    v("joints", joints);
   }
 };
 

@@ -19,7 +19,12 @@ struct CellPose {
   Rigid3 transform() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("z", z), v("roll", roll), v("pitch", pitch), v("yaw", yaw);
+    v("x", x);
+    v("y", y);
+    v("z", z);
+    v("roll", roll);
+    v("pitch", pitch);
+    v("yaw", yaw);
   }
 };
 
@@ -32,7 +37,10 @@ struct CellTexture {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("kind", kind), v("scale", scale), v("amplitude", amplitude), v("seed", seed);
+    v("kind", kind);
+    v("scale", scale);
+    v("amplitude", amplitude);
+    v("seed", seed);
   }
 };
 
@@ -46,7 +54,10 @@ struct CellMaterial {
   Material material() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("albedo", albedo), v("specular", specular), v("shininess", shininess), v("texture", texture);
+    v("albedo", albedo);
+    v("specular", specular);
+    v("shininess", shininess);
+    v("texture", texture);
   }
 };
 
@@ -59,8 +70,11 @@ struct CellTable {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("pose", pose), v("length", length), v("width", width), v("thickness", thickness),
-        v("material", material);
+    v("pose", pose);
+    v("length", length);
+    v("width", width);
+    v("thickness", thickness);
+    v("material", material);
   }
 };
 
@@ -73,7 +87,11 @@ struct CellLight {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("z", z), v("radius", radius), v("intensity", intensity);
+    v("x", x);
+    v("y", y);
+    v("z", z);
+    v("radius", radius);
+    v("intensity", intensity);
   }
 };
 
@@ -93,9 +111,19 @@ struct CellCameraOptions {
   Camera camera() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("width", width), v("height", height), v("fx", fx), v("fy", fy), v("cx", cx), v("cy", cy),
-        v("distortion", distortion), v("blur_sigma", blur_sigma), v("noise_sigma", noise_sigma),
-        v("shot_noise", shot_noise), v("exposure", exposure), v("gamma", gamma), v("shadows", shadows);
+    v("width", width);
+    v("height", height);
+    v("fx", fx);
+    v("fy", fy);
+    v("cx", cx);
+    v("cy", cy);
+    v("distortion", distortion);
+    v("blur_sigma", blur_sigma);
+    v("noise_sigma", noise_sigma);
+    v("shot_noise", shot_noise);
+    v("exposure", exposure);
+    v("gamma", gamma);
+    v("shadows", shadows);
   }
 };
 
@@ -107,7 +135,10 @@ struct CellDropZone {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("length", length), v("width", width);
+    v("x", x);
+    v("y", y);
+    v("length", length);
+    v("width", width);
   }
 };
 
@@ -120,7 +151,10 @@ struct CellObject {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("name", name), v("pose", pose), v("material", material), v("fixed", fixed);
+    v("name", name);
+    v("pose", pose);
+    v("material", material);
+    v("fixed", fixed);
   }
 };
 
@@ -138,8 +172,14 @@ struct CellRandom {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("seed", seed), v("objects", objects), v("frame", frame), v("parts", parts),
-        v("gripper_width", gripper_width), v("finger_room", finger_room), v("gap", gap), v("lights", lights);
+    v("seed", seed);
+    v("objects", objects);
+    v("frame", frame);
+    v("parts", parts);
+    v("gripper_width", gripper_width);
+    v("finger_room", finger_room);
+    v("gap", gap);
+    v("lights", lights);
   }
 };
 
@@ -166,11 +206,22 @@ struct CellOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("table", table), v("lights", lights), v("ambient", ambient), v("background", background),
-        v("camera", camera), v("drop_zone", drop_zone), v("objects", objects), v("random", random),
-        v("start_joints", start_joints), v("start_width", start_width), v("gripper_speed", gripper_speed),
-        v("friction", friction), v("pad_compliance", pad_compliance),
-        v("contact_tolerance", contact_tolerance), v("step", step), v("seed", seed);
+    v("table", table);
+    v("lights", lights);
+    v("ambient", ambient);
+    v("background", background);
+    v("camera", camera);
+    v("drop_zone", drop_zone);
+    v("objects", objects);
+    v("random", random);
+    v("start_joints", start_joints);
+    v("start_width", start_width);
+    v("gripper_speed", gripper_speed);
+    v("friction", friction);
+    v("pad_compliance", pad_compliance);
+    v("contact_tolerance", contact_tolerance);
+    v("step", step);
+    v("seed", seed);
   }
 };
 
