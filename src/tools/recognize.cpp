@@ -28,16 +28,24 @@ namespace fs = std::filesystem;
 struct Arguments {
   std::string objects, camera, only, json, overlay, explain, figures, options, decision;
   std::vector<std::string> settings, images;
-  double budget = -1;
-  int work = -1;
+  double time_limit_s = -1;  // negative: as the options say
+  int budget = -1;
   bool show_options = false;
 };
 
 RecognitionOptions effectiveOptions(const Arguments& args) {
   std::vector<std::string> settings = args.settings;
-  if (args.budget >= 0) settings.push_back("time_limit=" + std::to_string(args.budget));
-  if (args.work >= 0) settings.push_back("budget=" + std::to_string(args.work));
+  if (args.time_limit_s >= 0) settings.push_back("time_limit=" + std::to_string(args.time_limit_s));
+  if (args.budget >= 0) settings.push_back("budget=" + std::to_string(args.budget));
   return recognitionOptions(args.options, settings, args.decision);
+}
+
+// `--budget` has been a number of seconds; so few hypotheses find nothing.
+std::string hypothesesNotSeconds(const std::string& text) {
+  const bool is_count = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  if (is_count && (text == "0" || text.size() > 2)) return "";
+  return "it is a number of hypotheses, 0 or at least 100, not '" + text +
+         "'; for seconds there is --time-limit";
 }
 
 std::vector<std::string> allImages(const std::vector<std::string>& arguments) {
@@ -191,12 +199,13 @@ int main(int argc, char** argv) {
       "ViSP");
   app.add_option("--only", args.only,
                  "look for this object only; stops at its first plausible and reliable match");
-  app.add_option("--budget", args.budget,
+  app.add_option("--time-limit", args.time_limit_s,
                  "stop the search after this many seconds (results say truncated); 0: never")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--work", args.work,
+  app.add_option("--budget", args.budget,
                  "stop after this many hypotheses: the same answer on every machine; 0: never")
-      ->check(CLI::NonNegativeNumber);
+      ->check(hypothesesNotSeconds);
+  refuseRenamed(&app, "--work", "--budget");
   app.add_option("--json", args.json, "write the results as JSON (docs/json.md); - for standard output");
   app.add_option("--overlay", args.overlay,
                  "picture of the result; F_<image>.png for each of several images");

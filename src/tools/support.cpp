@@ -23,6 +23,15 @@ bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code) {
   }
 }
 
+void refuseRenamed(CLI::App* app, const std::string& old_name, const std::string& new_name) {
+  app->add_option_function<std::string>(old_name,
+                                        [old_name, new_name](const std::string&) {
+                                          throw CLI::ValidationError(old_name,
+                                                                     "it is called " + new_name + " now");
+                                        })
+      ->group("");  // not in --help
+}
+
 int runTool(const std::string& name, const std::function<int()>& body) {
   try {
     return body();

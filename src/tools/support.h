@@ -15,6 +15,9 @@ namespace monocular_eye_hand {
 /// --help, 1 after a mistake, which has been told.
 bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code);
 
+/// An option that has another name now is refused with that name.
+void refuseRenamed(CLI::App* app, const std::string& old_name, const std::string& new_name);
+
 /// Runs a tool's body: 0 or what it returns; bad input is told on stderr ("name: message") and gives 1.
 int runTool(const std::string& name, const std::function<int()>& body);
 

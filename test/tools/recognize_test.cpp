@@ -92,7 +92,7 @@ TEST_F(Recognize, same_image_and_work_budget_same_answer) {
     EXPECT_EQ(recognize(arguments + " --json r.json scene.png").code, 0);
     return json("r.json")["images"][0]["objects"].dump();
   };
-  EXPECT_EQ(answer("--work 20000"), answer("--work 20000"));
+  EXPECT_EQ(answer("--budget 20000"), answer("--budget 20000"));
   EXPECT_EQ(answer("--only bridge"), answer("--only bridge"));
 }
 
@@ -114,7 +114,10 @@ TEST_F(Recognize, bad_input_is_told) {
   EXPECT_THAT(unknown, HasSubstr("bridge, bracket"));
   EXPECT_THAT(refusal(base + "--set features.smoothing=1 blank.png"),
               HasSubstr("'features.smoothing_sigma'?"));
-  EXPECT_THAT(refusal(base + "--budget -1 blank.png"), HasSubstr("--budget"));
+  EXPECT_THAT(refusal(base + "--time-limit -1 blank.png"), HasSubstr("--time-limit"));
+  for (const char* seconds : {"-1", "2", "1.5"})
+    EXPECT_THAT(refusal(base + "--budget " + seconds + " blank.png"), HasSubstr("--time-limit")) << seconds;
+  EXPECT_THAT(refusal(base + "--work 500 blank.png"), HasSubstr("--budget"));
   EXPECT_THAT(refusal(base + "--no-such-option blank.png"), HasSubstr("--no-such-option"));
   write("options.yaml", "budget: many\n");
   EXPECT_THAT(refusal(base + "--options options.yaml blank.png"), HasSubstr("'budget' is 'many'"));
@@ -150,12 +153,12 @@ TEST_F(Recognize, results_go_into_new_folders) {
 
 TEST_F(Recognize, shows_the_options_it_would_use) {
   write("options.yaml", "recognition:\n  max_distance: 3.25\n");
-  const ProgramResult result =
-      run(RECOGNIZE_PROGRAM, "--options options.yaml --set grouping.max_per_kind=77 --work 5 --show-options");
+  const ProgramResult result = run(
+      RECOGNIZE_PROGRAM, "--options options.yaml --set grouping.max_per_kind=77 --budget 500 --show-options");
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("max_distance: 3.25\n"));
   EXPECT_THAT(result.out, HasSubstr("  max_per_kind: 77\n"));
-  EXPECT_THAT(result.out, HasSubstr("\nbudget: 5\n"));
+  EXPECT_THAT(result.out, HasSubstr("\nbudget: 500\n"));
   // What it prints is a file that it reads.
   write("again.yaml", result.out);
   EXPECT_EQ(run(RECOGNIZE_PROGRAM, "--options again.yaml --show-options").out, result.out);
