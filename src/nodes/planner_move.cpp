@@ -9,20 +9,6 @@ namespace {
 
 constexpr double kThere = 1e-3;  // joints so near to the goal need no motion [rad]
 
-uint8_t outcomeOf(MoveOutcome outcome) {
-  switch (outcome) {
-    case MoveOutcome::kPlanned:
-      return MoveResult::DONE;
-    case MoveOutcome::kStartInCollision:
-    case MoveOutcome::kGoalInCollision:
-      return MoveResult::IN_COLLISION;
-    case MoveOutcome::kUnreachable:
-    case MoveOutcome::kNoPath:
-      break;
-  }
-  return MoveResult::UNREACHABLE;
-}
-
 std::vector<JointVector> jointsOf(const MoveGoal& goal) {
   if (goal.joints.empty()) return {};
   if (goal.joints.size() != 6)
@@ -34,7 +20,7 @@ std::vector<JointVector> jointsOf(const MoveGoal& goal) {
 
 }  // namespace
 
-WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
+ActionResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   driver_.resetMotionTime();
   MoveRequest request;
   try {
@@ -78,17 +64,18 @@ WorkResult PlannerWork::move(const MoveGoal& goal, const WorkWatch& watch) {
   const double planning_time = (ros::WallTime::now() - begin).toSec();
   watch.say("plan", 1);
 
-  WorkResult done = plan.planned() ? driveMove(plan, goal.open_gripper ? opening : -1, watch)
-                                   : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
-  if (plan.outcome == MoveOutcome::kStartInCollision) done.reason += "; " + recoverHint();
-  done.planning_time = planning_time;
-  if (done.outcome == MoveResult::DONE) done.reached = plan.goal;
-  return done;
+  ActionResult ended = plan.planned()
+                           ? driveMove(plan, goal.open_gripper ? opening : -1, watch)
+                           : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  if (plan.outcome == MoveOutcome::kStartInCollision) ended.reason += "; " + recoverHint();
+  ended.planning_time = planning_time;
+  if (ended.done()) ended.reached = plan.goal;
+  return ended;
 }
 
-WorkResult PlannerWork::driveMove(const MovePlan& plan, double opening, const WorkWatch& watch) {
+ActionResult PlannerWork::driveMove(const MovePlan& plan, double opening, const WorkWatch& watch) {
   watch.show(plan.motions);
-  if (watch.cancelled()) return result(MoveResult::CANCELLED, "cancelled before anything moved");
+  if (watch.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
   Drive drive;
   if (opening >= 0) {
     held_.reset();
@@ -100,7 +87,7 @@ WorkResult PlannerWork::driveMove(const MovePlan& plan, double opening, const Wo
     drive = driver_.follow(motion, driveWatch(watch, "move", held_.has_value()));
     if (drive.done()) visit_ = {};
   }
-  if (drive.end == DriveEnd::kLost) held_.reset();
+  if (drive.outcome == ActionOutcome::kGraspLost) held_.reset();
   if (held_) held_->kept.reset();
   return result(drive);
 }

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "nodes/action_outcome.h"
 #include "nodes/conversion.h"
 #include "nodes/markers.h"
 #include "nodes/names.h"
@@ -14,32 +15,22 @@
 namespace monocular_eye_hand {
 namespace {
 
-// One WorkResult serves all three actions.
-constexpr bool same(int a, int b, int c, int d) { return a == b && b == c && c == d; }
-static_assert(same(PickResult::DONE, PlaceResult::DONE, MoveResult::DONE, RecoverResult::DONE));
-static_assert(same(PickResult::UNREACHABLE, PlaceResult::UNREACHABLE, MoveResult::UNREACHABLE,
-                   RecoverResult::UNREACHABLE));
-static_assert(same(PickResult::IN_COLLISION, PlaceResult::IN_COLLISION, MoveResult::IN_COLLISION,
-                   RecoverResult::IN_COLLISION));
-static_assert(same(PickResult::CANCELLED, PlaceResult::CANCELLED, MoveResult::CANCELLED,
-                   RecoverResult::CANCELLED));
-static_assert(same(PickResult::FAULT, PlaceResult::FAULT, MoveResult::FAULT, RecoverResult::FAULT));
-static_assert(int(PickResult::GRASP_LOST) == int(RecoverResult::GRASP_LOST));
-
 template <class Result>
-Result toMessage(const WorkResult& work) {
+Result toMessage(const ActionResult& work) {
   Result result;
-  result.outcome = work.outcome;
+  result.outcome = codeOf(work.outcome);
   result.reason = work.reason;
   result.planning_time = work.planning_time;
   result.motion_time = work.motion_time;
-  if constexpr (std::is_same_v<Result, MoveResult>)
-    result.reached = work.reached, result.stamp = ros::Time(work.stamp);
+  if constexpr (std::is_same_v<Result, MoveResult>) {
+    result.reached = work.reached;
+    result.stamp = ros::Time(work.stamp);
+  }
   return result;
 }
 
-WorkResult fault(const std::string& reason) {
-  WorkResult result;
+ActionResult fault(const std::string& reason) {
+  ActionResult result;
   result.reason = reason;
   return result;
 }
@@ -144,8 +135,8 @@ void PlannerNode::setRunning(const std::string& action) {
   running_ = action;
 }
 
-WorkResult PlannerNode::guarded(const WorkWatch& watch,
-                                const std::function<WorkResult(const WorkWatch&)>& work) {
+ActionResult PlannerNode::guarded(const WorkWatch& watch,
+                                  const std::function<ActionResult(const WorkWatch&)>& work) {
   try {
     takeObjects();
     return work(watch);
@@ -156,14 +147,14 @@ WorkResult PlannerNode::guarded(const WorkWatch& watch,
 
 template <class Action, class Result, class Feedback>
 void PlannerNode::run(Server<Action>* server, const char* action,
-                      const std::function<WorkResult(const WorkWatch&)>& work) {
-  WorkResult done;
+                      const std::function<ActionResult(const WorkWatch&)>& work) {
+  ActionResult ended;
   {
     const std::unique_lock<std::mutex> lock(busy_, std::try_to_lock);
     if (stopping_) {
-      done = fault("the planner is going down; nothing moved");
+      ended = fault("the planner is going down; nothing moved");
     } else if (!lock.owns_lock()) {
-      done = fault("busy with " + running() + ": one action at a time; nothing moved");
+      ended = fault("busy with " + running() + ": one action at a time; nothing moved");
     } else {
       setRunning(action);
       WorkWatch watch;
@@ -175,30 +166,30 @@ void PlannerNode::run(Server<Action>* server, const char* action,
         server->publishFeedback(feedback);
       };
       watch.show = [this](const std::vector<Trajectory>& motions) { show(motions); };
-      done = guarded(watch, work);
-      remember(action, done);
+      ended = guarded(watch, work);
+      remember(action, ended);
     }
   }  // free for the next goal before this one's result is known
-  const Result result = toMessage<Result>(done);
-  if (done.outcome == PickResult::DONE) {
+  const Result result = toMessage<Result>(ended);
+  if (ended.done()) {
     server->setSucceeded(result);
     return;
   }
-  ROS_WARN("%s: %s", action, done.reason.c_str());
-  if (done.outcome == PickResult::CANCELLED)
-    server->setPreempted(result, done.reason);
+  ROS_WARN("%s: %s", action, ended.reason.c_str());
+  if (ended.outcome == ActionOutcome::kCancelled)
+    server->setPreempted(result, ended.reason);
   else
-    server->setAborted(result, done.reason);
+    server->setAborted(result, ended.reason);
 }
 
-void PlannerNode::remember(const char* action, const WorkResult& result) {
+void PlannerNode::remember(const char* action, const ActionResult& result) {
   const std::lock_guard<std::mutex> lock(mutex_);
   running_.clear();
   held_ = work_.held();
   known_ = work_.scene().seen().size();
   remembered_ = work_.scene().remembered();
-  last_ = std::string(action) + ": " + (result.outcome == PickResult::DONE ? "done" : result.reason);
-  ++(result.outcome == PickResult::DONE ? done_ : not_done_);
+  last_ = std::string(action) + ": " + (result.done() ? "done" : result.reason);
+  ++(result.done() ? done_ : not_done_);
   planning_time_ = result.planning_time;
   longest_planning_ = std::max(longest_planning_, planning_time_);
 }

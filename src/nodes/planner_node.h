@@ -34,14 +34,14 @@ class PlannerNode {
 
   template <class Action, class Result, class Feedback>
   void run(Server<Action>* server, const char* action,
-           const std::function<WorkResult(const WorkWatch&)>& work);
-  WorkResult guarded(const WorkWatch& watch, const std::function<WorkResult(const WorkWatch&)>& work);
+           const std::function<ActionResult(const WorkWatch&)>& work);
+  ActionResult guarded(const WorkWatch& watch, const std::function<ActionResult(const WorkWatch&)>& work);
   void onObjects(const LocatedObjectArrayConstPtr& message);
   void takeObjects();
   void show(const std::vector<Trajectory>& motions);
   std::string running();
   void setRunning(const std::string& action);
-  void remember(const char* action, const WorkResult& result);
+  void remember(const char* action, const ActionResult& result);
   void robotStatus(diagnostic_updater::DiagnosticStatusWrapper& status);
   void planningStatus(diagnostic_updater::DiagnosticStatusWrapper& status);
 

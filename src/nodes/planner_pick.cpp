@@ -8,26 +8,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-uint8_t outcomeOf(PickOutcome outcome) {
-  switch (outcome) {
-    case PickOutcome::kPlanned:
-      return PickResult::DONE;
-    case PickOutcome::kStartInCollision:
-    case PickOutcome::kGraspInCollision:
-    case PickOutcome::kApproachBlocked:
-    case PickOutcome::kLiftBlocked:
-    case PickOutcome::kDropInCollision:
-    case PickOutcome::kLoweringBlocked:
-      return PickResult::IN_COLLISION;
-    case PickOutcome::kGraspUnreachable:
-    case PickOutcome::kNoPathToGrasp:
-    case PickOutcome::kDropUnreachable:
-    case PickOutcome::kNoPathToDrop:
-      break;
-  }
-  return PickResult::UNREACHABLE;
-}
-
 double secondsSince(const ros::WallTime& begin) { return (ros::WallTime::now() - begin).toSec(); }
 
 std::vector<Trajectory> trajectoriesOf(const std::vector<PickMotion>& motions) {
@@ -57,10 +37,11 @@ PlacedObject PlannerWork::checked(const PickGoal& goal, PickTarget* target) cons
   return object;
 }
 
-WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
+ActionResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
   driver_.resetMotionTime();
   if (!goal.target.feasible)
-    return result(PickResult::UNREACHABLE, "the target says that it is not feasible: " + goal.target.reason);
+    return result(ActionOutcome::kUnreachable,
+                  "the target says that it is not feasible: " + goal.target.reason);
   PlacedObject object;
   PickTarget target;
   try {
@@ -69,14 +50,15 @@ WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
     return refuse(e.what());
   }
   if (goal.place < 0 || goal.place >= int(places_.size()))
-    return result(PickResult::UNREACHABLE, noPlace(goal.place, places_.size()));
+    return result(ActionOutcome::kUnreachable, noPlace(goal.place, places_.size()));
   if (!seen_)
-    return result(PickResult::FAULT, "nothing came on eye_hand/objects yet: what stands around is not known");
+    return result(ActionOutcome::kFault,
+                  "nothing came on eye_hand/objects yet: what stands around is not known");
 
   recall();
   const GripperState gripper = driver_.gripper();
   if (held_ && lost(gripper).empty())
-    return result(PickResult::FAULT,
+    return result(ActionOutcome::kFault,
                   "the gripper holds " + held_->object.label() + ": place it first; " + recoverHint());
   held_.reset();
 
@@ -86,16 +68,16 @@ WorkResult PlannerWork::pick(const PickGoal& goal, const WorkWatch& watch) {
   const double planning_time = secondsSince(begin);
   watch.say("plan", 1);
 
-  WorkResult done;
+  ActionResult ended;
   if (!planned.refused.empty())
-    done = result(PickResult::IN_COLLISION, planned.refused);
+    ended = result(ActionOutcome::kInCollision, planned.refused);
   else if (!planned.kept.plan.planned())
-    done = result(outcomeOf(planned.kept.plan.outcome),
-                  name(planned.kept.plan.outcome) + ": " + planned.kept.plan.reason);
+    ended = result(outcomeOf(planned.kept.plan.outcome),
+                   name(planned.kept.plan.outcome) + ": " + planned.kept.plan.reason);
   else
-    done = drivePick(object, planned, watch);
-  done.planning_time = planning_time;
-  return done;
+    ended = drivePick(object, planned, watch);
+  ended.planning_time = planning_time;
+  return ended;
 }
 
 PlannerWork::PlannedPick PlannerWork::planThePick(const PlacedObject& object, const PickTarget& target,
@@ -142,13 +124,13 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const PlacedObject& object, co
   return planned;
 }
 
-WorkResult PlannerWork::drivePick(const PlacedObject& object, const PlannedPick& planned,
-                                  const WorkWatch& watch) {
+ActionResult PlannerWork::drivePick(const PlacedObject& object, const PlannedPick& planned,
+                                    const WorkWatch& watch) {
   const std::vector<PickMotion>& motions = planned.kept.plan.motions;
   std::vector<Trajectory> shown = trajectoriesOf(motions);
   if (!planned.departure.trajectory.points.empty()) shown.insert(shown.begin(), planned.departure.trajectory);
   watch.show(shown);
-  if (watch.cancelled()) return result(PickResult::CANCELLED, "cancelled before anything moved");
+  if (watch.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
 
   const DriveWatch reach = driveWatch(watch, "reach", false);
   Drive drive = driver_.openGripper(planned.kept.request.target.open_width, reach);
@@ -162,7 +144,7 @@ WorkResult PlannerWork::drivePick(const PlacedObject& object, const PlannedPick&
   if (drive.done()) drive = closeOn(object, planned.kept, driveWatch(watch, "close", false));
   if (drive.done()) drive = driver_.follow(motions[2].trajectory, driveWatch(watch, "lift", true));
 
-  if (drive.end == DriveEnd::kLost) {
+  if (drive.outcome == ActionOutcome::kGraspLost) {
     held_.reset();
     keepMemory(std::nullopt);
   }
@@ -176,14 +158,14 @@ Drive PlannerWork::closeOn(const PlacedObject& object, const KeptPlan& kept, con
   keepMemory(PickMemory{object, target, ros::Time::now().toSec()});  // before: a crash may come at any time
   const Drive drive =
       driver_.closeGripper(std::max(0.0, target.grip_width - parameters_.execution.squeeze), watch);
-  if (drive.end == DriveEnd::kFault) return drive;
+  if (drive.outcome == ActionOutcome::kFault) return drive;
   const GripperState state = driver_.gripper();
   if (!state.stalled || std::abs(state.width - target.grip_width) > parameters_.execution.width_tolerance) {
     std::ostringstream text;
     text.precision(3);
     text << "the gripper closed to " << state.width * 1e3 << " mm" << (state.stalled ? " (stalled)" : "")
          << " and " << object.label() << " is " << target.grip_width * 1e3 << " mm wide there";
-    return {DriveEnd::kLost, text.str()};
+    return {ActionOutcome::kGraspLost, text.str()};
   }
   hold(object, target, state.width);
   held_->kept = kept;
@@ -218,20 +200,20 @@ PickPlan PlannerWork::planThePlace(int place, const JointVector& joints, bool fr
   return planPlace(arm_, world, request, parameters_.planning);
 }
 
-WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
+ActionResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   driver_.resetMotionTime();
   if (goal.place < 0 || goal.place >= int(places_.size()))
-    return result(PickResult::UNREACHABLE, noPlace(goal.place, places_.size()));
+    return result(ActionOutcome::kUnreachable, noPlace(goal.place, places_.size()));
 
   recall();
   if (!held_)
     return result(
-        PickResult::GRASP_LOST,
+        ActionOutcome::kGraspLost,
         "the gripper holds nothing that was picked" +
             (holdsSomething(driver_.gripper()) ? ", and is not empty: " + recoverHint() : std::string()));
   if (const std::string gone = lost(driver_.gripper()); !gone.empty()) {
     held_.reset();
-    return result(PickResult::GRASP_LOST, gone);
+    return result(ActionOutcome::kGraspLost, gone);
   }
 
   watch.say("plan", 0);
@@ -248,23 +230,24 @@ WorkResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   const double planning_time = secondsSince(begin);
   watch.say("plan", 1);
 
-  WorkResult done = plan.planned() ? drivePlace(goal.place, plan.motions, watch)
-                                   : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
-  if (plan.outcome == PickOutcome::kStartInCollision) done.reason += "; " + recoverHint();
-  done.planning_time = planning_time;
-  return done;
+  ActionResult ended = plan.planned()
+                           ? drivePlace(goal.place, plan.motions, watch)
+                           : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  if (plan.outcome == PickOutcome::kStartInCollision) ended.reason += "; " + recoverHint();
+  ended.planning_time = planning_time;
+  return ended;
 }
 
-WorkResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& motions,
-                                   const WorkWatch& watch) {
+ActionResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& motions,
+                                     const WorkWatch& watch) {
   watch.show(trajectoriesOf(motions));
-  if (watch.cancelled()) return result(PickResult::CANCELLED, "cancelled before anything moved");
+  if (watch.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
   Drive drive;
   for (const PickMotion& motion : motions) {
     if (motion.stage == PickStage::kRetreat) continue;
     const char* stage = motion.stage == PickStage::kLower ? "lower" : "carry";
     drive = driver_.follow(motion.trajectory, driveWatch(watch, stage, true));
-    if (drive.end == DriveEnd::kLost) held_.reset();
+    if (drive.outcome == ActionOutcome::kGraspLost) held_.reset();
     if (!drive.done()) return result(drive);
   }
 
@@ -275,7 +258,7 @@ WorkResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& mot
   const double opening = held_->target.open_width;
   visit_ = {object, opening};
   drive = driver_.openGripper(opening, driveWatch(watch, "open", false));
-  if (drive.end == DriveEnd::kFault) return result(drive);
+  if (drive.outcome == ActionOutcome::kFault) return result(drive);
 
   held_.reset();
   keepMemory(std::nullopt);

@@ -81,7 +81,7 @@ CollisionWorld PlannerWork::worldNow(const JointVector& joints, double gripper_w
 }
 
 /// To the first place of the drop zone where nothing is known to stand.
-WorkResult PlannerWork::putDownSomewhere(const WorkWatch& watch, std::string* said) {
+ActionResult PlannerWork::putDownSomewhere(const WorkWatch& watch, std::string* said) {
   const std::string label = held_->object.label();
   const JointVector joints = start();
   std::string last = "the drop zone has no place";
@@ -94,19 +94,20 @@ WorkResult PlannerWork::putDownSomewhere(const WorkWatch& watch, std::string* sa
     *said += "put down " + label + " at place " + std::to_string(place) + "; ";
     return drivePlace(int(place), plan.motions, watch);
   }
-  return result(PickResult::UNREACHABLE, *said + "no free place for " + label + " can be reached: " + last);
+  return result(ActionOutcome::kUnreachable,
+                *said + "no free place for " + label + " can be reached: " + last);
 }
 
-WorkResult PlannerWork::openHere(const WorkWatch& watch, std::string* said) {
+ActionResult PlannerWork::openHere(const WorkWatch& watch, std::string* said) {
   const JointVector joints = start();
   const double now = driver_.gripper().width;
   const double opening = freeOpening(worldNow(joints, now), joints, description_.gripper_width_max);
   *said += "opened the gripper";
-  if (opening <= now + parameters_.execution.open_tolerance) return result(PickResult::DONE, "");
+  if (opening <= now + parameters_.execution.open_tolerance) return result(ActionOutcome::kDone, "");
   return result(driver_.openGripper(opening, driveWatch(watch, "open", false)));
 }
 
-WorkResult PlannerWork::recover(const WorkWatch& watch) {
+ActionResult PlannerWork::recover(const WorkWatch& watch) {
   driver_.resetMotionTime();
   recall();
   watch.say("plan", 0);
@@ -125,29 +126,29 @@ WorkResult PlannerWork::recover(const WorkWatch& watch) {
   watch.say("plan", 1);
 
   std::string said;
-  WorkResult done = result(PickResult::DONE, "");
+  ActionResult ended = result(ActionOutcome::kDone, "");
   if (!departure.possible) {
-    done = result(PickResult::IN_COLLISION, departure.reason + "; move the arm away by hand");
+    ended = result(ActionOutcome::kInCollision, departure.reason + "; move the arm away by hand");
   } else if (!departure.trajectory.points.empty()) {
     watch.show({departure.trajectory});
     const double way =
         (arm_.baseFromTcp(departure.end).translation - arm_.baseFromTcp(joints).translation).norm();
     said = "backed off by " + millimetres(way) + "; ";
-    done = result(driver_.follow(departure.trajectory, driveWatch(watch, "withdraw", held_.has_value())));
+    ended = result(driver_.follow(departure.trajectory, driveWatch(watch, "withdraw", held_.has_value())));
   }
 
-  if (done.outcome == PickResult::DONE) {
+  if (ended.done()) {
     const bool holds = held_.has_value();
     if (!holds) visit_ = {};
-    done = holds ? putDownSomewhere(watch, &said) : openHere(watch, &said);
-    if (done.outcome == PickResult::DONE && holds) said += "opened the gripper";
+    ended = holds ? putDownSomewhere(watch, &said) : openHere(watch, &said);
+    if (ended.done() && holds) said += "opened the gripper";
   }
-  if (done.outcome == PickResult::DONE) {
-    done.reason = said;
+  if (ended.done()) {
+    ended.reason = said;
     keepMemory(std::nullopt);
   }
-  done.planning_time = planning_time;
-  return done;
+  ended.planning_time = planning_time;
+  return ended;
 }
 
 }  // namespace monocular_eye_hand

@@ -29,8 +29,8 @@ std::vector<std::string> PlannerWork::see(const std::vector<PlacedObject>& objec
   return scene_.see(objects);
 }
 
-WorkResult PlannerWork::result(uint8_t outcome, const std::string& reason) const {
-  WorkResult result;
+ActionResult PlannerWork::result(ActionOutcome outcome, const std::string& reason) const {
+  ActionResult result;
   result.outcome = outcome;
   result.reason = reason;
   result.motion_time = driver_.motionTime();
@@ -38,23 +38,11 @@ WorkResult PlannerWork::result(uint8_t outcome, const std::string& reason) const
   return result;
 }
 
-WorkResult PlannerWork::refuse(const std::string& what) const {
-  return result(PickResult::FAULT, "bad goal: " + what + "; nothing moved");
+ActionResult PlannerWork::refuse(const std::string& what) const {
+  return result(ActionOutcome::kFault, "bad goal: " + what + "; nothing moved");
 }
 
-WorkResult PlannerWork::result(const Drive& drive) const {
-  switch (drive.end) {
-    case DriveEnd::kDone:
-      return result(PickResult::DONE, "");
-    case DriveEnd::kCancelled:
-      return result(PickResult::CANCELLED, drive.reason);
-    case DriveEnd::kLost:
-      return result(PickResult::GRASP_LOST, drive.reason);
-    case DriveEnd::kFault:
-      break;
-  }
-  return result(PickResult::FAULT, drive.reason);
-}
+ActionResult PlannerWork::result(const Drive& drive) const { return result(drive.outcome, drive.reason); }
 
 JointVector PlannerWork::start() const {
   JointVector joints = driver_.joints();

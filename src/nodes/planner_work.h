@@ -17,15 +17,6 @@
 
 namespace monocular_eye_hand {
 
-/// What Pick, Place and Move have in common; the outcomes have the same numbers in all three.
-struct WorkResult {
-  uint8_t outcome = PickResult::FAULT;
-  std::string reason;
-  double planning_time = 0, motion_time = 0;  ///< [s]
-  int reached = -1;                           ///< Move
-  double stamp = 0;                           ///< of the last joint state [s]
-};
-
 /// What runs beside an action.
 struct WorkWatch {
   std::function<bool()> cancelled;
@@ -44,11 +35,11 @@ class PlannerWork {
   PlannerScene& scene() { return scene_; }
   std::vector<std::string> see(const std::vector<PlacedObject>& objects);  ///< PlannerScene::see
 
-  WorkResult pick(const PickGoal& goal, const WorkWatch& watch);
-  WorkResult place(const PlaceGoal& goal, const WorkWatch& watch);
-  WorkResult move(const MoveGoal& goal, const WorkWatch& watch);
+  ActionResult pick(const PickGoal& goal, const WorkWatch& watch);
+  ActionResult place(const PlaceGoal& goal, const WorkWatch& watch);
+  ActionResult move(const MoveGoal& goal, const WorkWatch& watch);
   /// Backs off, puts down what is held, opens; the reason says what was done.
-  WorkResult recover(const WorkWatch& watch);
+  ActionResult recover(const WorkWatch& watch);
   std::string held() const { return held_ ? held_->object.label() : ""; }
 
  private:
@@ -72,9 +63,9 @@ class PlannerWork {
     double opening = 0;  // that is free there [m]
   };
 
-  WorkResult refuse(const std::string& what) const;
-  WorkResult result(uint8_t outcome, const std::string& reason) const;
-  WorkResult result(const Drive& drive) const;
+  ActionResult refuse(const std::string& what) const;
+  ActionResult result(ActionOutcome outcome, const std::string& reason) const;
+  ActionResult result(const Drive& drive) const;
   PlacedObject checked(const PickGoal& goal, PickTarget* target) const;
   JointVector start() const;
   TouchingPairs touching(const CollisionWorld& world) const;
@@ -87,13 +78,13 @@ class PlannerWork {
     std::string refused;  // why the arm cannot leave its start
   };
   PlannedPick planThePick(const PlacedObject& object, const PickTarget& target, int place);
-  WorkResult drivePick(const PlacedObject& object, const PlannedPick& planned, const WorkWatch& watch);
+  ActionResult drivePick(const PlacedObject& object, const PlannedPick& planned, const WorkWatch& watch);
   Drive closeOn(const PlacedObject& object, const KeptPlan& kept, const DriveWatch& watch);
   bool keptFits(int place, const JointVector& joints) const;
   /// `free`: the caller says that nothing stands at the place; else it must be known to be free.
   PickPlan planThePlace(int place, const JointVector& joints, bool free = true) const;
-  WorkResult drivePlace(int place, const std::vector<PickMotion>& motions, const WorkWatch& watch);
-  WorkResult driveMove(const MovePlan& plan, double opening, const WorkWatch& watch);
+  ActionResult drivePlace(int place, const std::vector<PickMotion>& motions, const WorkWatch& watch);
+  ActionResult driveMove(const MovePlan& plan, double opening, const WorkWatch& watch);
   std::string lost(const GripperState& state) const;
   std::optional<PlacedObject> inHand(const JointVector& joints) const;
 
@@ -103,8 +94,8 @@ class PlannerWork {
   void hold(const PlacedObject& object, const PickTarget& target, double width);
   void holdUnknown(const GripperState& gripper, const JointVector& joints);
   CollisionWorld worldNow(const JointVector& joints, double gripper_width) const;
-  WorkResult putDownSomewhere(const WorkWatch& watch, std::string* said);
-  WorkResult openHere(const WorkWatch& watch, std::string* said);
+  ActionResult putDownSomewhere(const WorkWatch& watch, std::string* said);
+  ActionResult openHere(const WorkWatch& watch, std::string* said);
   DriveWatch driveWatch(const WorkWatch& watch, const std::string& stage, bool holding) const;
 
   const PlannerParameters parameters_;

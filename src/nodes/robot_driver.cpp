@@ -125,10 +125,10 @@ std::string RobotDriver::stop() {
   return silent.empty() ? "the arm does not stop" : silent + ": whether the arm stopped is not known";
 }
 
-Drive RobotDriver::stopped(DriveEnd end, const std::string& reason) {
+Drive RobotDriver::stopped(ActionOutcome outcome, const std::string& reason) {
   const std::string trouble = stop();
-  if (trouble.empty()) return {end, reason};
-  return {DriveEnd::kFault, end == DriveEnd::kFault ? reason : reason + "; " + trouble};
+  if (trouble.empty()) return {outcome, reason};
+  return {ActionOutcome::kFault, outcome == ActionOutcome::kFault ? reason : reason + "; " + trouble};
 }
 
 Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch) {
@@ -151,15 +151,15 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
     lock.unlock();
     on = false;
     if (!ros::ok() || watch.cancelled())
-      drive = stopped(DriveEnd::kCancelled, "cancelled");
+      drive = stopped(ActionOutcome::kCancelled, "cancelled");
     else if (state == TrajectoryFollower::State::kFailed)
-      drive = stopped(DriveEnd::kFault, failure);
+      drive = stopped(ActionOutcome::kFault, failure);
     else if (!silent.empty())
-      drive = stopped(DriveEnd::kFault, silent);
+      drive = stopped(ActionOutcome::kFault, silent);
     else if (!silent_gripper.empty())
-      drive = stopped(DriveEnd::kFault, silent_gripper);
+      drive = stopped(ActionOutcome::kFault, silent_gripper);
     else if (!lost.empty())
-      drive = stopped(DriveEnd::kLost, lost);
+      drive = stopped(ActionOutcome::kGraspLost, lost);
     else
       on = state != TrajectoryFollower::State::kArrived;
     if (watch.feedback && (!on || ros::WallTime::now() - told > feedback_period_)) {
@@ -191,7 +191,7 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
   gripper_command_.publish(command);
   const auto fault = [&](const std::string& reason) {
     motion_time_ += (ros::Time::now() - start).toSec();
-    return Drive{DriveEnd::kFault, reason};
+    return Drive{ActionOutcome::kFault, reason};
   };
   std::unique_lock<std::mutex> lock(mutex_);
   const double from = latest(start);
@@ -216,7 +216,7 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
   lock.unlock();
   motion_time_ += (ros::Time::now() - start).toSec();
   if (watch.feedback) watch.feedback(1);
-  if (!ros::ok() || watch.cancelled()) return {DriveEnd::kCancelled, "cancelled"};
+  if (!ros::ok() || watch.cancelled()) return {ActionOutcome::kCancelled, "cancelled"};
   return {};
 }
 

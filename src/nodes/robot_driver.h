@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "monocular_eye_hand/arm/action_outcome.h"
 #include "nodes/arm_state.h"
 #include "nodes/moment.h"
 #include "nodes/planner_conversion.h"
@@ -16,12 +17,11 @@
 
 namespace monocular_eye_hand {
 
-/// How a motion of arm or gripper ended.
-enum class DriveEnd { kDone, kCancelled, kLost, kFault };
+/// How a motion of arm or gripper ended: done, cancelled, with the grasp lost, or a fault.
 struct Drive {
-  DriveEnd end = DriveEnd::kDone;
+  ActionOutcome outcome = ActionOutcome::kDone;
   std::string reason;  ///< when not done
-  bool done() const { return end == DriveEnd::kDone; }
+  bool done() const { return outcome == ActionOutcome::kDone; }
 };
 
 /// What runs beside a motion.
@@ -64,7 +64,7 @@ class RobotDriver {
   std::string silentGripper() const;  // with mutex_ held
   /// Empty trajectory; waits until the arm stands. What went wrong with that, or "".
   std::string stop();
-  Drive stopped(DriveEnd end, const std::string& reason);
+  Drive stopped(ActionOutcome outcome, const std::string& reason);
   Drive moveFingers(double width, bool closing, const DriveWatch& watch);
 
   const ExecutionOptions options_;

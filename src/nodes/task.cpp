@@ -45,11 +45,11 @@ class TaskNode {
   /// What a stopped task left in the gripper is no part of the new one. No reason: nothing is there any more.
   TaskResult emptyHand() {
     TaskResult result;
-    const TaskPick placed = world_.emptyHand();
-    if (placed.outcome == TaskPickOutcome::kDone) return result;
-    if (placed.outcome == TaskPickOutcome::kCancelled) result.outcome = TaskOutcome::kCancelled;
+    const ActionResult placed = world_.emptyHand();
+    if (placed.done()) return result;
+    if (placed.outcome == ActionOutcome::kCancelled) result.outcome = TaskOutcome::kCancelled;
     result.reason = "the gripper is not empty, and what it holds cannot be put down: " + placed.reason;
-    if (placed.outcome != TaskPickOutcome::kCancelled)
+    if (placed.outcome != ActionOutcome::kCancelled)
       result.reason += " (a goal to " + ros::names::resolve("planner/recover") + " puts it down and opens)";
     return result;
   }

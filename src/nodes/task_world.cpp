@@ -8,6 +8,7 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/length_text.h"
 #include "monocular_eye_hand/geometry/seconds_text.h"
+#include "nodes/action_outcome.h"
 #include "nodes/arm_state.h"
 #include "nodes/conversion.h"
 #include "nodes/names.h"
@@ -30,32 +31,6 @@ constexpr int kRefusedViews = 3;       // in a row: waiting on helps no more
 constexpr double kOneClock = 86400.0;  // stamps of one clock do not lie further apart [s]
 constexpr double kFuture = 1.0;        // nor so far ahead of it [s]
 
-// One function reads all results: the planner's outcomes have the same numbers in Pick, Place and Move.
-constexpr bool same(int a, int b, int c) { return a == b && b == c; }
-static_assert(same(PickResult::DONE, PlaceResult::DONE, MoveResult::DONE));
-static_assert(same(PickResult::UNREACHABLE, PlaceResult::UNREACHABLE, MoveResult::UNREACHABLE));
-static_assert(same(PickResult::IN_COLLISION, PlaceResult::IN_COLLISION, MoveResult::IN_COLLISION));
-static_assert(same(PickResult::CANCELLED, PlaceResult::CANCELLED, MoveResult::CANCELLED));
-static_assert(same(PickResult::FAULT, PlaceResult::FAULT, MoveResult::FAULT));
-static_assert(int(PickResult::GRASP_LOST) == int(PlaceResult::GRASP_LOST));
-
-TaskPickOutcome outcomeOf(uint8_t code) {
-  switch (code) {
-    case PickResult::DONE:
-      return TaskPickOutcome::kDone;
-    case PickResult::UNREACHABLE:
-      return TaskPickOutcome::kUnreachable;
-    case PickResult::IN_COLLISION:
-      return TaskPickOutcome::kInCollision;
-    case PickResult::GRASP_LOST:
-      return TaskPickOutcome::kGraspLost;
-    case PickResult::CANCELLED:
-      return TaskPickOutcome::kCancelled;
-    default:
-      return TaskPickOutcome::kFault;
-  }
-}
-
 std::string complaintOf(const RecognizeResponse& response) {
   const bool worked =
       response.status == RecognizeResponse::FOUND || response.status == RecognizeResponse::NOT_FOUND;
@@ -65,26 +40,26 @@ std::string complaintOf(const RecognizeResponse& response) {
 /// Sends a goal and waits for its result. A cancelled task cancels the goal and waits on: the planner stops
 /// the arm and says so.
 template <class Client, class Goal>
-TaskPick execute(Client* client, const char* action, const Goal& goal, const TaskParameters& parameters,
-                 const std::function<bool()>& cancelled) {
+ActionResult execute(Client* client, const char* action, const Goal& goal, const TaskParameters& parameters,
+                     const std::function<bool()>& cancelled) {
   const std::string called(action);
   const auto fault = [&](const std::string& what) {
-    return TaskPick{TaskPickOutcome::kFault, "the action " + called + " " + what};
+    return ActionResult{ActionOutcome::kFault, "the action " + called + " " + what};
   };
   const Moment begin = Moment::now();
   while (!client->isServerConnected()) {
-    if (cancelled()) return {TaskPickOutcome::kCancelled, "cancelled"};
+    if (cancelled()) return {ActionOutcome::kCancelled, "cancelled"};
     if (begin.since() > parameters.answer_timeout)
       return fault("does not answer: is the node planner running?");
     kPoll.sleep();
   }
-  if (cancelled()) return {TaskPickOutcome::kCancelled, "cancelled"};
+  if (cancelled()) return {ActionOutcome::kCancelled, "cancelled"};
 
   client->sendGoal(goal);
   bool asked_to_stop = false;
   const Moment sent = Moment::now();
   while (!client->getState().isDone()) {
-    if (!ros::ok()) return {TaskPickOutcome::kCancelled, "the node ends"};
+    if (!ros::ok()) return {ActionOutcome::kCancelled, "the node ends"};
     if (cancelled() && !asked_to_stop) {
       client->cancelGoal();
       asked_to_stop = true;
@@ -105,11 +80,11 @@ TaskPick execute(Client* client, const char* action, const Goal& goal, const Tas
     return fault("refused the goal: " + client->getState().getText());
   // The server itself drops a goal whose stamp is before the last one's, with an empty result, which says
   // DONE.
-  if (outcomeOf(result->outcome) == TaskPickOutcome::kDone &&
+  if (outcomeOf(result->outcome) == ActionOutcome::kDone &&
       client->getState() != actionlib::SimpleClientGoalState::SUCCEEDED)
     return fault("dropped the goal (" + client->getState().toString() + ": " + client->getState().getText() +
                  "): is there another client, or one with another clock?");
-  return {outcomeOf(result->outcome), result->reason};
+  return {outcomeOf(result->outcome), result->reason, result->planning_time, result->motion_time};
 }
 
 }  // namespace
@@ -239,8 +214,8 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
   MoveGoal goal;
   goal.link = names::kCameraFrame;
   for (const Rigid3& pose : poses) goal.poses.push_back(toPose(pose));
-  const TaskPick moved = move(goal);
-  if (moved.outcome != TaskPickOutcome::kDone) {
+  const ActionResult moved = move(goal);
+  if (!moved.done()) {
     look.reason = "the camera did not get there: " + moved.reason;
     return look;
   }
@@ -387,10 +362,10 @@ GraspPlan RosTaskWorld::graspTargets(const MappedObject& object) {
   return plan;
 }
 
-TaskPick RosTaskWorld::pick(const MappedObject& object, const GraspCandidate& grasp) {
+ActionResult RosTaskWorld::pick(const MappedObject& object, const GraspCandidate& grasp) {
   if (grasp.model_grasp < 0 || grasp.model_grasp >= int(targets_.size()) ||
       targets_[size_t(grasp.model_grasp)].name != object.name)
-    return {TaskPickOutcome::kFault, "the grasp is none of the last asked for"};
+    return {ActionOutcome::kFault, "the grasp is none of the last asked for"};
   PickGoal goal;
   goal.target = targets_[size_t(grasp.model_grasp)];
   goal.place = place_;
@@ -410,11 +385,11 @@ TaskGrip RosTaskWorld::grip() {
   return grip;
 }
 
-TaskPick RosTaskWorld::carry(const MappedObject& object, int place) {
+ActionResult RosTaskWorld::carry(const MappedObject& object, int place) {
   PlaceGoal goal;
   goal.place = first_place_ + place;
-  TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
-  if (placed.outcome != TaskPickOutcome::kDone) {
+  ActionResult placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
+  if (!placed.done()) {
     const TaskGrip left = grip();
     if (left.known && !left.holding) place_ = goal.place + 1;  // stopped after it let go: it may lie there
     return placed;
@@ -428,28 +403,28 @@ TaskPick RosTaskWorld::carry(const MappedObject& object, int place) {
   return placed;
 }
 
-TaskPick RosTaskWorld::emptyHand() {
+ActionResult RosTaskWorld::emptyHand() {
   const Moment begin = Moment::now();  // of a node that just started: nothing was heard yet
   while (!grip().known && !cancelled_() && begin.since() < parameters_.answer_timeout) kPoll.sleep();
-  if (!grip().holding) return {TaskPickOutcome::kDone, ""};
+  if (!grip().holding) return {ActionOutcome::kDone, ""};
 
   PlaceGoal goal;
   goal.place = place_;
-  TaskPick placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
-  if (placed.outcome == TaskPickOutcome::kDone) first_place_ = ++place_;
+  ActionResult placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
+  if (placed.done()) first_place_ = ++place_;
   return placed;
 }
 
-TaskPick RosTaskWorld::open() {
+ActionResult RosTaskWorld::open() {
   const std::optional<JointVector> current = joints();
-  if (!current) return {TaskPickOutcome::kFault, "no joint_states of joint1 to joint6"};
+  if (!current) return {ActionOutcome::kFault, "no joint_states of joint1 to joint6"};
   MoveGoal goal;
   goal.joints.assign(current->data(), current->data() + 6);
   goal.open_gripper = true;
   return move(goal);
 }
 
-TaskPick RosTaskWorld::move(const MoveGoal& goal) {
+ActionResult RosTaskWorld::move(const MoveGoal& goal) {
   return execute(&move_, kMove, goal, parameters_, cancelled_);
 }
 

@@ -40,10 +40,10 @@ class RosTaskWorld : public TaskWorld {
 
   TaskLook look(const TaskView& view) override;
   GraspPlan graspTargets(const MappedObject& object) override;
-  TaskPick pick(const MappedObject& object, const GraspCandidate& grasp) override;
+  ActionResult pick(const MappedObject& object, const GraspCandidate& grasp) override;
   TaskGrip grip() override;
-  TaskPick carry(const MappedObject& object, int place) override;
-  TaskPick open() override;
+  ActionResult carry(const MappedObject& object, int place) override;
+  ActionResult open() override;
   void wait(double seconds) override;
 
   /// A new task begins, which clears `frame`. Places of the drop zone are counted from 0 again, or with
@@ -51,7 +51,7 @@ class RosTaskWorld : public TaskWorld {
   void restart(const std::string& frame, bool go_on);
   /// Puts down in the drop zone what the gripper holds since a task was stopped. kDone as well when it holds
   /// nothing.
-  TaskPick emptyHand();
+  ActionResult emptyHand();
 
  private:
   void objectsCallback(const LocatedObjectArray& message);
@@ -69,7 +69,7 @@ class RosTaskWorld : public TaskWorld {
   std::string silence(
       const ros::Time& after) const;  // who in the chain of eyes says nothing; with mutex_ held
   bool recognizerGone() const;        // with mutex_ held
-  TaskPick move(const MoveGoal& goal);
+  ActionResult move(const MoveGoal& goal);
 
   const ModelBase* models_;
   const TaskParameters parameters_;

@@ -109,6 +109,20 @@ std::string name(MoveOutcome outcome) {
   return "unknown";
 }
 
+ActionOutcome outcomeOf(MoveOutcome outcome) {
+  switch (outcome) {
+    case MoveOutcome::kPlanned:
+      return ActionOutcome::kDone;
+    case MoveOutcome::kStartInCollision:
+    case MoveOutcome::kGoalInCollision:
+      return ActionOutcome::kInCollision;
+    case MoveOutcome::kUnreachable:
+    case MoveOutcome::kNoPath:
+      break;
+  }
+  return ActionOutcome::kUnreachable;
+}
+
 MovePlan planMove(const ToolArm& arm, const CollisionWorld& world, const MoveRequest& request,
                   const PlanningOptions& options) {
   options.check();

@@ -159,6 +159,26 @@ std::string name(PickOutcome outcome) {
   return "unknown";
 }
 
+ActionOutcome outcomeOf(PickOutcome outcome) {
+  switch (outcome) {
+    case PickOutcome::kPlanned:
+      return ActionOutcome::kDone;
+    case PickOutcome::kStartInCollision:
+    case PickOutcome::kGraspInCollision:
+    case PickOutcome::kApproachBlocked:
+    case PickOutcome::kLiftBlocked:
+    case PickOutcome::kDropInCollision:
+    case PickOutcome::kLoweringBlocked:
+      return ActionOutcome::kInCollision;
+    case PickOutcome::kGraspUnreachable:
+    case PickOutcome::kNoPathToGrasp:
+    case PickOutcome::kDropUnreachable:
+    case PickOutcome::kNoPathToDrop:
+      break;
+  }
+  return ActionOutcome::kUnreachable;
+}
+
 std::string name(PickStage stage) {
   switch (stage) {
     case PickStage::kReach:

@@ -276,21 +276,21 @@ void ClearFrameTask::pick() {
   for (size_t k = 0; k < candidates_.size(); ++k) {
     tell("grasp " + std::to_string(k + 1) + " of " + std::to_string(candidates_.size()) + ", " +
          candidates_[k].source);
-    const TaskPick result = world_->pick(object, candidates_[k]);
+    const ActionResult result = world_->pick(object, candidates_[k]);
     switch (result.outcome) {
-      case TaskPickOutcome::kDone:
+      case ActionOutcome::kDone:
         ++entry(key).picks;
         entry(key).outcome = ObjectOutcome::kHeld;
         stage_ = TaskStage::kVerify;
         return;
-      case TaskPickOutcome::kGraspLost:
+      case ActionOutcome::kGraspLost:
         ++entry(key).picks;
         return lostGrasp(result.reason);
-      case TaskPickOutcome::kCancelled:
-      case TaskPickOutcome::kFault:
+      case ActionOutcome::kCancelled:
+      case ActionOutcome::kFault:
         return stopped(result);
-      case TaskPickOutcome::kUnreachable:
-      case TaskPickOutcome::kInCollision:
+      case ActionOutcome::kUnreachable:
+      case ActionOutcome::kInCollision:
         why = std::string(name(result.outcome)) + ": " + result.reason;
     }
     if (cancelled_ && cancelled_()) return finish(TaskOutcome::kCancelled, "cancelled while picking");
@@ -299,7 +299,7 @@ void ClearFrameTask::pick() {
 }
 
 // Cancelled or broken in the middle of a motion: only asks what the gripper holds.
-void ClearFrameTask::stopped(const TaskPick& result) {
+void ClearFrameTask::stopped(const ActionResult& result) {
   const TaskGrip grip = world_->grip();
   TaskObject& object = entry(*chosen_);
   if (grip.known && grip.holding) {
@@ -308,7 +308,7 @@ void ClearFrameTask::stopped(const TaskPick& result) {
     object.outcome = ObjectOutcome::kDropped;
     object.reason = "the gripper had let it go when it was stopped";
   }
-  const bool cancelled = result.outcome == TaskPickOutcome::kCancelled;
+  const bool cancelled = result.outcome == ActionOutcome::kCancelled;
   finish(cancelled ? TaskOutcome::kCancelled : TaskOutcome::kFault,
          std::string(name(stage_)) + " of " + label(entry(*chosen_).object) + ": " + result.reason);
 }
@@ -335,8 +335,8 @@ void ClearFrameTask::carry() {
   const Key key = *chosen_;
   tell("to the drop zone, place " + std::to_string(carried_));
   const MappedObject object = entry(key).object;
-  const TaskPick result = world_->carry(object, carried_);
-  if (result.outcome == TaskPickOutcome::kDone) {
+  const ActionResult result = world_->carry(object, carried_);
+  if (result.done()) {
     ++carried_;
     entry(key).outcome = ObjectOutcome::kCarried;
     searches_ = 0;
@@ -355,7 +355,7 @@ void ClearFrameTask::carry() {
     }
     return startRound();
   }
-  if (result.outcome == TaskPickOutcome::kGraspLost) {
+  if (result.outcome == ActionOutcome::kGraspLost) {
     entry(key).outcome = ObjectOutcome::kDropped;
     entry(key).reason = "on the way to the drop zone: " + result.reason;
     if (opened()) startRound();
@@ -365,9 +365,9 @@ void ClearFrameTask::carry() {
 }
 
 bool ClearFrameTask::opened() {
-  const TaskPick result = world_->open();
-  if (result.outcome == TaskPickOutcome::kDone) return true;
-  finish(result.outcome == TaskPickOutcome::kCancelled ? TaskOutcome::kCancelled : TaskOutcome::kFault,
+  const ActionResult result = world_->open();
+  if (result.done()) return true;
+  finish(result.outcome == ActionOutcome::kCancelled ? TaskOutcome::kCancelled : TaskOutcome::kFault,
          "the gripper does not open: " + result.reason);
   return false;
 }

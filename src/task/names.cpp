@@ -33,24 +33,6 @@ void ClearFrameOptions::check() const {
   requireAtLeast("most_rounds", most_rounds, 1);
 }
 
-const char* name(TaskPickOutcome outcome) {
-  switch (outcome) {
-    case TaskPickOutcome::kDone:
-      return "done";
-    case TaskPickOutcome::kUnreachable:
-      return "unreachable";
-    case TaskPickOutcome::kInCollision:
-      return "in collision";
-    case TaskPickOutcome::kGraspLost:
-      return "grasp lost";
-    case TaskPickOutcome::kCancelled:
-      return "cancelled";
-    case TaskPickOutcome::kFault:
-      return "fault";
-  }
-  return "unknown";
-}
-
 const char* name(TaskStage stage) {
   switch (stage) {
     case TaskStage::kLook:

@@ -127,15 +127,15 @@ TEST(ClearFrame, WhatOthersBlockIsTriedAgainWhenTheyAreGone) {
 
 TEST(ClearFrame, TheNextGraspIsTriedWhenOneHasNoPath) {
   World world;
-  world.put(kBridge, 0, at(0.5, 0)).picks = {{TaskPickOutcome::kInCollision, "gripper and frame"},
-                                             {TaskPickOutcome::kUnreachable, "limits"}};
+  world.put(kBridge, 0, at(0.5, 0)).picks = {{ActionOutcome::kInCollision, "gripper and frame"},
+                                             {ActionOutcome::kUnreachable, "limits"}};
   TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_THAT(world.log, Contains("pick bridge0 by grasp 2"));
   EXPECT_EQ(object(result, kBridge, 0).picks, 1);
 
   World closed;
-  closed.put(kBridge, 0, at(0.5, 0)).picks.assign(99, {TaskPickOutcome::kInCollision, "gripper and frame"});
+  closed.put(kBridge, 0, at(0.5, 0)).picks.assign(99, {ActionOutcome::kInCollision, "gripper and frame"});
   result = ClearFrameTask(&kModels, &closed).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kLeftovers);
   EXPECT_THAT(object(result, kBridge, 0).reason,
@@ -145,7 +145,7 @@ TEST(ClearFrame, TheNextGraspIsTriedWhenOneHasNoPath) {
 
 TEST(ClearFrame, WhatHasNoPathLetsTheOthersGoFirst) {
   World world;
-  world.put(kBridge, 0, at(0.5, 0)).picks.assign(3, {TaskPickOutcome::kInCollision, "it and grenade 0"});
+  world.put(kBridge, 0, at(0.5, 0)).picks.assign(3, {ActionOutcome::kInCollision, "it and grenade 0"});
   world.put(kGrenade, 0, at(0.55, 0));
   const TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
@@ -159,7 +159,7 @@ TEST(ClearFrame, WhatHasNoPathLetsTheOthersGoFirst) {
 TEST(ClearFrame, WhatASecondLookShowsFreeIsNotGivenUp) {
   // What stood in the way was seen wrongly.
   World world;
-  world.put(kBridge, 0, at(0.5, 0)).picks.assign(3, {TaskPickOutcome::kInCollision, "lift: grenade 3"});
+  world.put(kBridge, 0, at(0.5, 0)).picks.assign(3, {ActionOutcome::kInCollision, "lift: grenade 3"});
   TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);

@@ -91,13 +91,13 @@ TEST(Faults, AnObjectThatOnlyAFarViewShowsIsLeft) {
 
 TEST(Faults, ALostGraspIsTriedAgainAndGivenUp) {
   World once;
-  once.put(kBridge, 0, at(0.5, 0)).picks = {{TaskPickOutcome::kGraspLost, "slipped"}};
+  once.put(kBridge, 0, at(0.5, 0)).picks = {{ActionOutcome::kGraspLost, "slipped"}};
   TaskResult result = ClearFrameTask(&kModels, &once).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared);
   EXPECT_EQ(object(result, kBridge, 0).picks, 2);
 
   World always;
-  always.put(kBridge, 0, at(0.5, 0)).picks.assign(99, {TaskPickOutcome::kGraspLost, "slipped"});
+  always.put(kBridge, 0, at(0.5, 0)).picks.assign(99, {ActionOutcome::kGraspLost, "slipped"});
   always.put(kGrenade, 0, at(0.5, 0.05));
   result = ClearFrameTask(&kModels, &always).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kLeftovers);
@@ -118,14 +118,14 @@ TEST(Faults, AnEmptyGripperAfterLiftingIsALostGrasp) {
 TEST(Faults, WhatIsDroppedInTheFrameIsPickedUpAgain) {
   World world;
   world.put(kBridge, 0, at(0.5, 0));
-  world.carries = {{TaskPickOutcome::kGraspLost, "the fingers closed"}};
+  world.carries = {{ActionOutcome::kGraspLost, "the fingers closed"}};
   TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);
 
   World away;  // it falls where it is not seen
   away.put(kBridge, 0, at(0.5, 0));
-  away.carries = {{TaskPickOutcome::kGraspLost, "the fingers closed"}};
+  away.carries = {{ActionOutcome::kGraspLost, "the fingers closed"}};
   bool dropped = false;
   ClearFrameTask task(&kModels, &away, {}, {},
                       [&](const TaskFeedback& f) { dropped |= f.stage == TaskStage::kCarry; });
@@ -176,7 +176,7 @@ TEST(Faults, CancelStopsBeforeEveryStage) {
 TEST(Faults, CancelDuringAMotionIsHeardFromTheArm) {
   World world;
   world.put(kBridge, 0, at(0.5, 0));
-  world.carries = {{TaskPickOutcome::kCancelled, "stopped on the way"}};
+  world.carries = {{ActionOutcome::kCancelled, "stopped on the way"}};
   TaskResult result = ClearFrameTask(&kModels, &world).run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCancelled);
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kHeld);
@@ -185,7 +185,7 @@ TEST(Faults, CancelDuringAMotionIsHeardFromTheArm) {
 
 TEST(Faults, WhatDoesNotAnswerIsNamed) {
   World planner;
-  planner.put(kBridge, 0, at(0.5, 0)).picks = {{TaskPickOutcome::kFault, "the planner does not answer"}};
+  planner.put(kBridge, 0, at(0.5, 0)).picks = {{ActionOutcome::kFault, "the planner does not answer"}};
   EXPECT_THAT(ClearFrameTask(&kModels, &planner).run().reason, HasSubstr("the planner does not answer"));
   World gripper;
   gripper.put(kBridge, 0, at(0.5, 0));
@@ -195,8 +195,8 @@ TEST(Faults, WhatDoesNotAnswerIsNamed) {
   EXPECT_THAT(result.reason, HasSubstr("the gripper does not answer"));
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kHeld);
   World stuck;
-  stuck.put(kBridge, 0, at(0.5, 0)).picks = {{TaskPickOutcome::kGraspLost, "slipped"}};
-  stuck.opens = {TaskPickOutcome::kFault, "no state"};
+  stuck.put(kBridge, 0, at(0.5, 0)).picks = {{ActionOutcome::kGraspLost, "slipped"}};
+  stuck.opens = {ActionOutcome::kFault, "no state"};
   EXPECT_THAT(ClearFrameTask(&kModels, &stuck).run().reason,
               HasSubstr("the gripper does not open: no state"));
   World broken;

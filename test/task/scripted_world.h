@@ -41,7 +41,7 @@ class World : public TaskWorld {
     int uncertain = 0;    // near looks until its pose is sure enough
     bool hidden_from_near = false;
     bool contradicted = false;
-    std::vector<TaskPick> picks;  // answers in turn, then done
+    std::vector<ActionResult> picks;  // answers in turn, then done
     bool blocked_by_others = false;
   };
 
@@ -109,41 +109,40 @@ class World : public TaskWorld {
     return plan;
   }
 
-  TaskPick pick(const MappedObject& object, const GraspCandidate& grasp) override {
+  ActionResult pick(const MappedObject& object, const GraspCandidate& grasp) override {
     log.push_back("pick " + object.name + std::to_string(object.number) + " by " + grasp.source);
     Thing& t = thing(object.object, object.number);
-    TaskPick result{TaskPickOutcome::kDone, ""};
+    ActionResult result{ActionOutcome::kDone, ""};
     if (!t.picks.empty()) {
       result = t.picks.front();
       t.picks.erase(t.picks.begin());
     }
-    if (result.outcome != TaskPickOutcome::kUnreachable && result.outcome != TaskPickOutcome::kInCollision)
+    if (result.outcome != ActionOutcome::kUnreachable && result.outcome != ActionOutcome::kInCollision)
       ++motions;
-    if (result.outcome == TaskPickOutcome::kDone && !t.there)
-      result = {TaskPickOutcome::kGraspLost, "the fingers closed on nothing"};
-    if (result.outcome == TaskPickOutcome::kDone) holding = true;
+    if (result.done() && !t.there) result = {ActionOutcome::kGraspLost, "the fingers closed on nothing"};
+    if (result.done()) holding = true;
     return result;
   }
 
   TaskGrip grip() override { return {grip_answers, holding && !slips, holding ? "40 mm" : "0 mm"}; }
 
-  TaskPick carry(const MappedObject& object, int place) override {
+  ActionResult carry(const MappedObject& object, int place) override {
     log.push_back("carry " + object.name + std::to_string(object.number) + " to " + std::to_string(place));
     ++motions;
     if (!carries.empty()) {
-      const TaskPick result = carries.front();
+      const ActionResult result = carries.front();
       carries.erase(carries.begin());
-      if (result.outcome == TaskPickOutcome::kGraspLost) holding = false;
-      if (result.outcome != TaskPickOutcome::kDone) return result;
+      if (result.outcome == ActionOutcome::kGraspLost) holding = false;
+      if (!result.done()) return result;
     }
     holding = false;
     Thing& t = thing(object.object, object.number);
     t.there = false;
     t.misses_left = 0;
-    return {TaskPickOutcome::kDone, ""};
+    return {ActionOutcome::kDone, ""};
   }
 
-  TaskPick open() override {
+  ActionResult open() override {
     log.push_back("open");
     holding = slips = false;
     return opens;
@@ -151,8 +150,8 @@ class World : public TaskWorld {
 
   std::vector<Thing> things;
   std::vector<std::string> log;
-  std::vector<TaskPick> carries;
-  TaskPick opens{TaskPickOutcome::kDone, ""};
+  std::vector<ActionResult> carries;
+  ActionResult opens{ActionOutcome::kDone, ""};
   std::function<void(const TaskView&)> before_look;
   std::string silent;
   int silent_looks = 0;

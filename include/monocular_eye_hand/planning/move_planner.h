@@ -46,6 +46,7 @@ struct MoveRequest {
 enum class MoveOutcome { kPlanned, kStartInCollision, kUnreachable, kGoalInCollision, kNoPath };
 /// "start in collision" and so on, for messages.
 std::string name(MoveOutcome outcome);
+ActionOutcome outcomeOf(MoveOutcome outcome);
 
 struct MovePlan {
   MoveOutcome outcome = MoveOutcome::kUnreachable;

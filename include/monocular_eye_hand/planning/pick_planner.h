@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/arm/action_outcome.h"
 #include "monocular_eye_hand/planning/trajectory.h"
 
 namespace monocular_eye_hand {
@@ -43,6 +44,7 @@ enum class PickOutcome {
 };
 /// "approach blocked" and so on, for messages.
 std::string name(PickOutcome outcome);
+ActionOutcome outcomeOf(PickOutcome outcome);
 
 enum class PickStage { kReach, kApproach, kLift, kCarry, kLower, kRetreat };
 std::string name(PickStage stage);

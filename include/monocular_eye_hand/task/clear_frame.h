@@ -141,7 +141,7 @@ class ClearFrameTask {
   bool inDoubt(const TaskObject& object) const;
   void settleDoubts();
   void lostGrasp(const std::string& reason);
-  void stopped(const TaskPick& result);
+  void stopped(const ActionResult& result);
   bool opened();
   void startRound();
   void finish(TaskOutcome outcome, const std::string& reason);

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/arm/action_outcome.h"
 #include "monocular_eye_hand/eye_hand/object_map.h"
 #include "monocular_eye_hand/grasp/plan_grasps.h"
 
@@ -25,21 +26,6 @@ struct TaskLook {
   std::vector<MappedObject> objects;  ///< everything known after it; last_stamp == stamp: shown by it
 };
 
-enum class TaskPickOutcome {
-  kDone,
-  kUnreachable,  ///< no path; nothing moved
-  kInCollision,  ///< every path meets something; nothing moved
-  kGraspLost,    ///< nothing, or nothing any more, between the fingers
-  kCancelled,    ///< stopped on request
-  kFault         ///< the arm, the gripper or the planner does not answer
-};
-const char* name(TaskPickOutcome outcome);
-
-struct TaskPick {
-  TaskPickOutcome outcome = TaskPickOutcome::kFault;
-  std::string reason;
-};
-
 /// What the gripper says.
 struct TaskGrip {
   bool known = false;    ///< false: no answer
@@ -57,12 +43,12 @@ class TaskWorld {
   /// Grasps of an object as it is known now, best first.
   virtual GraspPlan graspTargets(const MappedObject& object) = 0;
   /// Pre-grasp, approach, close, lift.
-  virtual TaskPick pick(const MappedObject& object, const GraspCandidate& grasp) = 0;
+  virtual ActionResult pick(const MappedObject& object, const GraspCandidate& grasp) = 0;
   virtual TaskGrip grip() = 0;
   /// To the drop zone's so-many-th place and open there; the object then is no longer known.
-  virtual TaskPick carry(const MappedObject& object, int place) = 0;
+  virtual ActionResult carry(const MappedObject& object, int place) = 0;
   /// Opens the gripper where it is, away from any part, after a lost grasp.
-  virtual TaskPick open() = 0;
+  virtual ActionResult open() = 0;
   /// Before something that failed is tried again [s].
   virtual void wait(double /*seconds*/) {}
 };
