@@ -73,7 +73,7 @@ class Planner {
     GraspCandidate c;
     c.base_from_grasp = object_.base_from_object * object_from_tcp;
     c.approach = c.base_from_grasp.rotation.col(2);
-    c.width = grasp.width;
+    c.part_width = grasp.width;
     c.model_grasp = index;
     c.source = grasp.source;
     const double tilt = std::acos(std::clamp(-c.approach.z(), -1.0, 1.0));
@@ -82,20 +82,20 @@ class Planner {
                     "the approach is tilted by " + rounded(tilt * 180 / M_PI) + " degrees, more than " +
                         rounded(options_.max_tilt * 180 / M_PI));
     const ClearanceNeed need =
-        clearanceNeed(object_.base_from_object, held_, c.base_from_grasp, c.width, gripper_, options_);
+        clearanceNeed(object_.base_from_object, held_, c.base_from_grasp, c.part_width, gripper_, options_);
     const double wanted = std::max(need.closing, options_.preferred_clearance);
-    c.opening = std::min(gripper_.opening_max, c.width + 2 * wanted);
-    c.free = (c.opening - c.width) / 2;
+    c.opening = std::min(gripper_.opening_max, c.part_width + 2 * wanted);
+    c.free = (c.opening - c.part_width) / 2;
     c.needed = need.closing;
     if (!aboveTable(c)) return;
     if (!need.refusal.empty()) return refuse(GraspRefusal::kClearance, need.shortfall, need.refusal);
     if (!clear(c, need, object_from_tcp)) return;
-    c.base_from_pregrasp = c.base_from_retreat = c.base_from_grasp;
+    c.base_from_pregrasp = c.base_from_lift = c.base_from_grasp;
     c.base_from_pregrasp.translation -= options_.approach_distance * c.approach;
-    c.base_from_retreat.translation.z() += options_.lift_distance;
+    c.base_from_lift.translation.z() += options_.lift_distance;
     const Postures postures =
         findPostures(arm_, c.base_from_pregrasp * tcp_from_tool0_, c.base_from_grasp * tcp_from_tool0_,
-                     c.base_from_retreat * tcp_from_tool0_, current_, options_);
+                     c.base_from_lift * tcp_from_tool0_, current_, options_);
     if (postures.postures.empty()) return refuse(postures.refusal, 0, postures.reason);
     // Room counts until there is as much again as is needed.
     const double room = std::min(1.0, c.free / std::max(1e-9, 2 * c.needed));
@@ -106,7 +106,7 @@ class Planner {
       c.branch = p.branch;
       c.pregrasp_joints = p.pregrasp;
       c.grasp_joints = p.grasp;
-      c.retreat_joints = p.retreat;
+      c.lift_joints = p.lift;
       c.quality = grasp.quality * (0.5 + 0.5 * std::cos(tilt)) * room * centring / (1 + 0.1 * p.travel);
       candidates_.push_back(c);
     }
@@ -157,7 +157,7 @@ class Planner {
   }
 
   bool clear(const GraspCandidate& c, const ClearanceNeed& need, const Rigid3& object_from_tcp) {
-    const Boxes swept = sweptBoxes(gripper_, c.opening, c.width, options_.approach_distance);
+    const Boxes swept = sweptBoxes(gripper_, c.opening, c.part_width, options_.approach_distance);
     const Boxes shifted = grown(swept, {need.across, 0, need.along});
     const MeshInHand part(*object_.model, object_from_tcp.inverse());
     if (part.meets(shifted)) {

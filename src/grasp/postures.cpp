@@ -24,39 +24,39 @@ const ArmSolution* nearest(const ArmSolutions& solutions, const Branch& branch, 
 
 }  // namespace
 
-Postures findPostures(const Puma560& arm, const Rigid3& pregrasp, const Rigid3& grasp, const Rigid3& retreat,
+Postures findPostures(const Puma560& arm, const Rigid3& pregrasp, const Rigid3& grasp, const Rigid3& lift,
                       const JointVector& current, const GraspPlanOptions& options) {
   Postures result;
-  ArmSolutions at_grasp, at_pregrasp, at_retreat;
+  ArmSolutions at_grasp, at_pregrasp, at_lift;
   arm.inverse(grasp, current, &at_grasp);
   if (at_grasp.empty()) {
     result.reason = "the grasp is out of the arm's reach or limits";
     return result;
   }
   arm.inverse(pregrasp, current, &at_pregrasp);
-  arm.inverse(retreat, current, &at_retreat);
-  if (at_pregrasp.empty() || at_retreat.empty()) {
-    result.reason = std::string(at_pregrasp.empty() ? "the pre-grasp" : "the retreat") +
+  arm.inverse(lift, current, &at_lift);
+  if (at_pregrasp.empty() || at_lift.empty()) {
+    result.reason = std::string(at_pregrasp.empty() ? "the pre-grasp" : "the end of the lift") +
                     " is out of the arm's reach or limits";
     return result;
   }
-  result.reason = "no posture reaches pre-grasp, grasp and retreat alike";
+  result.reason = "no posture reaches pre-grasp, grasp and lift alike";
   std::vector<Posture> found;
   for (const ArmSolution& g : at_grasp) {
     const ArmSolution* p = nearest(at_pregrasp, g.branch, g.joints);
-    const ArmSolution* r = nearest(at_retreat, g.branch, g.joints);
-    if (!p || !r) continue;
+    const ArmSolution* l = nearest(at_lift, g.branch, g.joints);
+    if (!p || !l) continue;
     const double wrist = std::min({std::abs(std::sin(g.joints[4])), std::abs(std::sin(p->joints[4])),
-                                   std::abs(std::sin(r->joints[4]))});
+                                   std::abs(std::sin(l->joints[4]))});
     if (wrist < options.min_wrist || farthest(p->joints, g.joints) > options.max_joint_step ||
-        farthest(r->joints, g.joints) > options.max_joint_step) {
+        farthest(l->joints, g.joints) > options.max_joint_step) {
       result.refusal = GraspRefusal::kSingular;
       result.reason =
           "the postures that reach it pass the wrist's singularity or turn a joint by more than "
           "max_joint_step";
       continue;
     }
-    found.push_back({g.branch, p->joints, g.joints, r->joints, farthest(p->joints, current)});
+    found.push_back({g.branch, p->joints, g.joints, l->joints, farthest(p->joints, current)});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Posture& a, const Posture& b) { return a.travel < b.travel - 1e-9; });

@@ -8,8 +8,8 @@ namespace monocular_eye_hand {
 /// One arm posture for all three poses of a grasp.
 struct Posture {
   Branch branch;
-  JointVector pregrasp, grasp, retreat;
-  double travel = 0;  ///< from `current` to pre-grasp: the joint that turns farthest [rad]
+  JointVector pregrasp, grasp, lift;  ///< lift: where it ends
+  double travel = 0;                  ///< from `current` to pre-grasp: the joint that turns farthest [rad]
 };
 
 struct Postures {
@@ -19,7 +19,7 @@ struct Postures {
 };
 
 /// Poses of tool0.
-Postures findPostures(const Puma560& arm, const Rigid3& pregrasp, const Rigid3& grasp, const Rigid3& retreat,
+Postures findPostures(const Puma560& arm, const Rigid3& pregrasp, const Rigid3& grasp, const Rigid3& lift,
                       const JointVector& current, const GraspPlanOptions& options);
 
 }  // namespace monocular_eye_hand

@@ -41,14 +41,14 @@ FootprintBox footprintOf(const Mesh& mesh, const Rigid3& base_from_object) {
 }
 
 std::vector<DropTarget> dropTargets(const DropPlace& place, const FootprintBox& footprint,
-                                    const Rigid3& base_from_tcp_grasp, double gap, double above) {
+                                    const Rigid3& base_from_grasp, double gap, double above) {
   std::vector<DropTarget> drops;
   for (double base : {0.0, M_PI / 2, M_PI / 4, -M_PI / 4}) {
     double one = wrapped(place.yaw + base - footprint.yaw), other = wrapped(one + M_PI);
     if (std::abs(other) < std::abs(one)) std::swap(one, other);
     for (double turn : {one, other})
-      drops.push_back({turnAbout(footprint.centre, place, turn, above) * base_from_tcp_grasp,
-                       turnAbout(footprint.centre, place, turn, gap) * base_from_tcp_grasp});
+      drops.push_back({turnAbout(footprint.centre, place, turn, above) * base_from_grasp,
+                       turnAbout(footprint.centre, place, turn, gap) * base_from_grasp});
   }
   return drops;
 }

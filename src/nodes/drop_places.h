@@ -19,6 +19,6 @@ FootprintBox footprintOf(const Mesh& mesh, const Rigid3& base_from_object);
 /// about the vertical only: along the place's yaw, across it, then diagonally; of equal ones the smaller turn
 /// first. `gap`: how far above where it stood; `above`: where the straight way down begins [m].
 std::vector<DropTarget> dropTargets(const DropPlace& place, const FootprintBox& footprint,
-                                    const Rigid3& base_from_tcp_grasp, double gap, double above);
+                                    const Rigid3& base_from_grasp, double gap, double above);
 
 }  // namespace monocular_eye_hand

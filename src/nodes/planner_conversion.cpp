@@ -39,12 +39,12 @@ trajectory_msgs::JointTrajectory toMessage(const Trajectory& trajectory) {
 PickTarget pickTargetOf(const GraspTarget& target, const std::string& object, double gripper_width_max) {
   PickTarget pick;
   pick.object = object;
-  pick.base_from_tcp_before = poseOf(target.pregrasp, "target.pregrasp");
-  pick.base_from_tcp_grasp = poseOf(target.grasp, "target.grasp");
-  pick.base_from_tcp_after = poseOf(target.retreat, "target.retreat");
-  pick.open_width = widthOf(target.opening, "opening", gripper_width_max);
-  pick.grip_width = widthOf(target.width, "width", gripper_width_max);
-  if (pick.open_width < pick.grip_width)
+  pick.base_from_pregrasp = poseOf(target.pregrasp, "target.pregrasp");
+  pick.base_from_grasp = poseOf(target.grasp, "target.grasp");
+  pick.base_from_lift = poseOf(target.retreat, "target.retreat");
+  pick.opening = widthOf(target.opening, "opening", gripper_width_max);
+  pick.part_width = widthOf(target.width, "width", gripper_width_max);
+  if (pick.opening < pick.part_width)
     throw BadInput("target.opening = " + std::to_string(target.opening) +
                    " must not be less than width = " + std::to_string(target.width) + " m");
   return pick;

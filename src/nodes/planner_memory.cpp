@@ -43,11 +43,12 @@ Value toParameter(const PickMemory& memory) {
   value["name"] = memory.object.name;
   value["instance"] = memory.object.instance;
   value["base_from_object"] = toParameter(memory.object.base_from_object);
-  value["base_from_tcp_before"] = toParameter(memory.target.base_from_tcp_before);
-  value["base_from_tcp_grasp"] = toParameter(memory.target.base_from_tcp_grasp);
-  value["base_from_tcp_after"] = toParameter(memory.target.base_from_tcp_after);
-  value["open_width"] = memory.target.open_width;
-  value["grip_width"] = memory.target.grip_width;
+  // These names stay: what a planner of another version left must be read.
+  value["base_from_tcp_before"] = toParameter(memory.target.base_from_pregrasp);
+  value["base_from_tcp_grasp"] = toParameter(memory.target.base_from_grasp);
+  value["base_from_tcp_after"] = toParameter(memory.target.base_from_lift);
+  value["open_width"] = memory.target.opening;
+  value["grip_width"] = memory.target.part_width;
   value["stamp"] = memory.stamp;
   return value;
 }
@@ -59,17 +60,17 @@ std::optional<PickMemory> fromParameter(Value value) {
     memory.object.instance = int(value["instance"]);
     memory.object.base_from_object = poseOf(value["base_from_object"]);
     memory.target.object = memory.object.label();
-    memory.target.base_from_tcp_before = poseOf(value["base_from_tcp_before"]);
-    memory.target.base_from_tcp_grasp = poseOf(value["base_from_tcp_grasp"]);
-    memory.target.base_from_tcp_after = poseOf(value["base_from_tcp_after"]);
-    memory.target.open_width = double(value["open_width"]);
-    memory.target.grip_width = double(value["grip_width"]);
+    memory.target.base_from_pregrasp = poseOf(value["base_from_tcp_before"]);
+    memory.target.base_from_grasp = poseOf(value["base_from_tcp_grasp"]);
+    memory.target.base_from_lift = poseOf(value["base_from_tcp_after"]);
+    memory.target.opening = double(value["open_width"]);
+    memory.target.part_width = double(value["grip_width"]);
     memory.stamp = double(value["stamp"]);
   } catch (const XmlRpc::XmlRpcException&) {  // not what keepMemory() wrote
     return std::nullopt;
   }
-  for (const Rigid3* pose : {&memory.object.base_from_object, &memory.target.base_from_tcp_before,
-                             &memory.target.base_from_tcp_grasp, &memory.target.base_from_tcp_after})
+  for (const Rigid3* pose : {&memory.object.base_from_object, &memory.target.base_from_pregrasp,
+                             &memory.target.base_from_grasp, &memory.target.base_from_lift})
     if (!pose->isFinite() || !isRotation(pose->rotation)) return std::nullopt;
   return memory;
 }

@@ -85,13 +85,13 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const PlacedObject& object, co
   PlannedPick planned;
   const JointVector joints = start();
   CollisionWorld world = scene_.world(object, place);
-  planned.refused = sweep(world, joints, driver_.gripper().width, target.open_width);
+  planned.refused = sweep(world, joints, driver_.gripper().width, target.opening);
   if (!planned.refused.empty()) {
     planned.refused = "opening the gripper where it stands: " + planned.refused + "; " + recoverHint();
     return planned;
   }
 
-  world.setGripperWidth(target.open_width);
+  world.setGripperWidth(target.opening);
   planned.departure = planDeparture(arm_, world, joints, touching(world), parameters_.planning);
   if (!planned.departure.possible) {
     planned.refused = planned.departure.reason + "; " + recoverHint();
@@ -103,7 +103,7 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const PlacedObject& object, co
   request.target = target;
   request.drops =
       dropTargets(places_[size_t(place)], footprintOf(scene_.mesh(object.name), object.base_from_object),
-                  target.base_from_tcp_grasp, parameters_.drop_gap, parameters_.drop_above);
+                  target.base_from_grasp, parameters_.drop_gap, parameters_.drop_above);
   request.supports = {"table"};
   planned.kept.place = place;
   planned.kept.plan = planPick(arm_, world, request, parameters_.planning);
@@ -133,13 +133,13 @@ ActionResult PlannerWork::drivePick(const PlacedObject& object, const PlannedPic
   if (watch.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
 
   const DriveWatch reach = driveWatch(watch, "reach", false);
-  Drive drive = driver_.openGripper(planned.kept.request.target.open_width, reach);
+  Drive drive = driver_.openGripper(planned.kept.request.target.opening, reach);
   if (drive.done()) drive = driver_.follow(planned.departure.trajectory, reach);
   if (drive.done()) visit_ = {};
   if (drive.done()) drive = driver_.follow(motions[0].trajectory, reach);
   if (!drive.done()) return result(drive);
 
-  visit_ = {object, planned.kept.request.target.open_width};
+  visit_ = {object, planned.kept.request.target.opening};
   drive = driver_.follow(motions[1].trajectory, driveWatch(watch, "approach", false));
   if (drive.done()) drive = closeOn(object, planned.kept, driveWatch(watch, "close", false));
   if (drive.done()) drive = driver_.follow(motions[2].trajectory, driveWatch(watch, "lift", true));
@@ -157,14 +157,14 @@ Drive PlannerWork::closeOn(const PlacedObject& object, const KeptPlan& kept, con
   const PickTarget& target = kept.request.target;
   keepMemory(PickMemory{object, target, ros::Time::now().toSec()});  // before: a crash may come at any time
   const Drive drive =
-      driver_.closeGripper(std::max(0.0, target.grip_width - parameters_.execution.squeeze), watch);
+      driver_.closeGripper(std::max(0.0, target.part_width - parameters_.execution.squeeze), watch);
   if (drive.outcome == ActionOutcome::kFault) return drive;
   const GripperState state = driver_.gripper();
-  if (!state.stalled || std::abs(state.width - target.grip_width) > parameters_.execution.width_tolerance) {
+  if (!state.stalled || std::abs(state.width - target.part_width) > parameters_.execution.width_tolerance) {
     std::ostringstream text;
     text.precision(3);
     text << "the gripper closed to " << state.width * 1e3 << " mm" << (state.stalled ? " (stalled)" : "")
-         << " and " << object.label() << " is " << target.grip_width * 1e3 << " mm wide there";
+         << " and " << object.label() << " is " << target.part_width * 1e3 << " mm wide there";
     return {ActionOutcome::kGraspLost, text.str()};
   }
   hold(object, target, state.width);
@@ -190,12 +190,12 @@ PickPlan PlannerWork::planThePlace(int place, const JointVector& joints, bool fr
   request.start = joints;
   request.object = held_->object.label();
   request.tcp_from_object = held_->tcp_from_object;
-  request.open_width = held_->target.open_width;
-  request.grip_width = held_->target.grip_width;
+  request.opening = held_->target.opening;
+  request.part_width = held_->target.part_width;
   request.supports = {"table"};
-  request.drops = dropTargets(
-      places_[size_t(place)], footprintOf(scene_.mesh(held_->object.name), held_->object.base_from_object),
-      held_->target.base_from_tcp_grasp, parameters_.drop_gap, parameters_.drop_above);
+  request.drops = dropTargets(places_[size_t(place)],
+                              footprintOf(scene_.mesh(held_->object.name), held_->object.base_from_object),
+                              held_->target.base_from_grasp, parameters_.drop_gap, parameters_.drop_above);
   const CollisionWorld world = scene_.world(held_->object, free ? place : -1, inHand(joints));
   return planPlace(arm_, world, request, parameters_.planning);
 }
@@ -255,7 +255,7 @@ ActionResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& m
   object.base_from_object = arm_.baseFromTcp(motions[motions.size() - 2].trajectory.points.back().position) *
                             held_->tcp_from_object;
   object.base_from_object.translation.z() -= parameters_.drop_gap;
-  const double opening = held_->target.open_width;
+  const double opening = held_->target.opening;
   visit_ = {object, opening};
   drive = driver_.openGripper(opening, driveWatch(watch, "open", false));
   if (drive.outcome == ActionOutcome::kFault) return result(drive);

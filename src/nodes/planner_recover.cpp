@@ -36,12 +36,12 @@ void PlannerWork::recall() {
   const std::optional<PickMemory> memory = keptMemory();
   if (!memory || !scene_.knows(memory->object.name)) return;
   if (memory->stamp > ros::Time::now().toSec() + parameters_.execution.joint_silence) return;  // another run
-  const double off = std::abs(gripper.width - memory->target.grip_width);
+  const double off = std::abs(gripper.width - memory->target.part_width);
   if (holdsSomething(gripper) && off <= parameters_.execution.width_tolerance) {
     ROS_INFO("the gripper holds %s, picked before this node started", memory->object.label().c_str());
     hold(memory->object, memory->target, gripper.width);
   } else {
-    visit_ = {memory->object, memory->target.open_width};
+    visit_ = {memory->object, memory->target.opening};
   }
 }
 
@@ -49,7 +49,7 @@ void PlannerWork::hold(const PlacedObject& object, const PickTarget& target, dou
   Held held;
   held.object = object;
   held.target = target;
-  held.tcp_from_object = target.base_from_tcp_grasp.inverse() * object.base_from_object;
+  held.tcp_from_object = target.base_from_grasp.inverse() * object.base_from_object;
   held.width = width;
   held_ = held;
 }
@@ -60,14 +60,14 @@ void PlannerWork::holdUnknown(const GripperState& gripper, const JointVector& jo
   scene_.learnBox(kUnknownPart, {kUnknownLength, std::max(gripper.width, 1e-3), length});
   PickTarget target;
   target.object = std::string(kUnknownPart) + " 0";
-  target.base_from_tcp_grasp = arm_.baseFromTcp(joints);
-  target.base_from_tcp_grasp.translation.z() = parameters_.table.z + kUnknownBefore;
-  target.base_from_tcp_before = target.base_from_tcp_after = target.base_from_tcp_grasp;
-  target.grip_width = gripper.width;
-  target.open_width = description_.gripper_width_max;
-  PlacedObject object{kUnknownPart, 0, target.base_from_tcp_grasp};
+  target.base_from_grasp = arm_.baseFromTcp(joints);
+  target.base_from_grasp.translation.z() = parameters_.table.z + kUnknownBefore;
+  target.base_from_pregrasp = target.base_from_lift = target.base_from_grasp;
+  target.part_width = gripper.width;
+  target.opening = description_.gripper_width_max;
+  PlacedObject object{kUnknownPart, 0, target.base_from_grasp};
   object.base_from_object.translation +=
-      target.base_from_tcp_grasp.rotation.col(2) * (kUnknownBefore - kUnknownBehind) / 2;
+      target.base_from_grasp.rotation.col(2) * (kUnknownBefore - kUnknownBehind) / 2;
   hold(object, target, gripper.width);
 }
 

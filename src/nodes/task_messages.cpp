@@ -72,13 +72,13 @@ GraspCandidate fromMessage(const GraspTarget& message) {
   GraspCandidate grasp;
   grasp.base_from_pregrasp = poseOf(message.pregrasp, "the pregrasp pose of " + message.name);
   grasp.base_from_grasp = poseOf(message.grasp, "the grasp pose of " + message.name);
-  grasp.base_from_retreat = poseOf(message.retreat, "the retreat pose of " + message.name);
-  grasp.width = message.width;
+  grasp.base_from_lift = poseOf(message.retreat, "the retreat pose of " + message.name);
+  grasp.part_width = message.width;
   grasp.opening = message.opening;
   grasp.approach = {message.approach.x, message.approach.y, message.approach.z};
   grasp.pregrasp_joints = fromArray(message.pregrasp_joints);
   grasp.grasp_joints = fromArray(message.grasp_joints);
-  grasp.retreat_joints = fromArray(message.retreat_joints);
+  grasp.lift_joints = fromArray(message.retreat_joints);
   grasp.free = message.free;
   grasp.needed = message.needed;
   grasp.quality = message.quality;

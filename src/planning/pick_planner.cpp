@@ -21,12 +21,12 @@ void requireRequest(const CollisionWorld& world, const ToolArm& arm, const PickR
   if (!request.start.allFinite()) throw BadInput("the start joints are not finite");
   if (!arm.arm.withinLimits(request.start)) throw BadInput("the start joints are outside their limits");
   if (request.drops.empty()) throw BadInput("there is no drop pose");
-  bool finite = target.base_from_tcp_before.isFinite() && target.base_from_tcp_grasp.isFinite() &&
-                target.base_from_tcp_after.isFinite();
+  bool finite = target.base_from_pregrasp.isFinite() && target.base_from_grasp.isFinite() &&
+                target.base_from_lift.isFinite();
   for (const DropTarget& drop : request.drops)
     finite &= drop.base_from_tcp.isFinite() && drop.base_from_tcp_above.isFinite();
   if (!finite) throw BadInput("a pose of gripper_tcp is not finite");
-  for (double width : {target.open_width, target.grip_width})
+  for (double width : {target.opening, target.part_width})
     if (!(width >= 0 && width <= 1)) throw BadInput("the gripper's width must be 0 to 1 m");
 }
 
@@ -48,7 +48,7 @@ class Planner {
   PickPlan run() {
     const PickTarget& target = request_.target;
     const auto solutions =
-        solutionsByTime(arm_, target.base_from_tcp_before, request_.start, options_.candidates);
+        solutionsByTime(arm_, target.base_from_pregrasp, request_.start, options_.candidates);
     if (solutions.empty())
       failure_.tell(PickOutcome::kGraspUnreachable, "pre-grasp: out of reach or joint limits");
     for (const JointVector& before : solutions) {
@@ -108,7 +108,7 @@ class Planner {
   }
 
   void compose(const JointPath& reach, const GraspWay& way, const JointPath& carry, const DropWay& put) {
-    const double open = request_.target.open_width, grip = request_.target.grip_width;
+    const double open = request_.target.opening, grip = request_.target.part_width;
     const CollisionWorld& released = released_[plan_.drop];
     add(PickStage::kReach, reach.points, worlds_.reach, open, options_.timing);
     add(PickStage::kApproach, way.approach, worlds_.approach, open, near_timing_);
@@ -209,7 +209,7 @@ PickPlan planPick(const ToolArm& arm, const CollisionWorld& world, const PickReq
   requireRequest(world, arm, request);
   // An arm that stands nearer to something than the padding must be able to leave.
   CollisionWorld start = world;
-  start.setGripperWidth(request.target.open_width);
+  start.setGripperWidth(request.target.opening);
   double padding = options.padding;
   for (start.setPadding(padding); !start.valid(request.start); start.setPadding(padding)) {
     if (padding <= options.near_padding) {

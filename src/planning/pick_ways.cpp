@@ -48,18 +48,18 @@ PickWorlds::PickWorlds(const CollisionWorld& world, const PickRequest& request, 
                        double near_padding)
     : reach(world), approach(world), lift(world), carry(world) {
   const PickTarget& target = request.target;
-  tcp_from_object = target.base_from_tcp_grasp.inverse() * world.pose(target.object);
-  reach.setGripperWidth(target.open_width);
+  tcp_from_object = target.base_from_grasp.inverse() * world.pose(target.object);
+  reach.setGripperWidth(target.opening);
   reach.setPadding(padding);
-  approach.setGripperWidth(target.open_width);
+  approach.setGripperWidth(target.opening);
   approach.setPadding(near_padding);
   for (const std::string& finger : world.fingers()) approach.allow(finger, target.object);
-  lift.setGripperWidth(target.grip_width);
+  lift.setGripperWidth(target.part_width);
   lift.setPadding(near_padding);
   lift.setCarriedPadding(0);
   lift.attach(target.object, tcp_from_object);
   for (const std::string& support : request.supports) lift.allow(target.object, support);
-  carry.setGripperWidth(target.grip_width);
+  carry.setGripperWidth(target.part_width);
   carry.setPadding(padding);
   carry.setCarriedPadding(padding);
   carry.attach(target.object, tcp_from_object);
@@ -114,10 +114,10 @@ bool graspWay(const ToolArm& arm, const PickWorlds& worlds, const PickTarget& ta
   }
   way->before = before;
   way->approach =
-      straightLine(arm, worlds.approach, before, target.base_from_tcp_grasp, options,
+      straightLine(arm, worlds.approach, before, target.base_from_grasp, options,
                    PickOutcome::kGraspUnreachable, PickOutcome::kApproachBlocked, "approach", failure);
   if (way->approach.empty()) return false;
-  way->lift = straightLine(arm, worlds.lift, way->approach.back(), target.base_from_tcp_after, options,
+  way->lift = straightLine(arm, worlds.lift, way->approach.back(), target.base_from_lift, options,
                            PickOutcome::kGraspUnreachable, PickOutcome::kLiftBlocked, "lift", failure);
   if (way->lift.empty()) return false;
   if (worlds.carry.valid(way->lift.back())) return true;

@@ -22,7 +22,7 @@ void requireRequest(const CollisionWorld& world, const ToolArm& arm, const Place
   for (const DropTarget& drop : request.drops)
     finite &= drop.base_from_tcp.isFinite() && drop.base_from_tcp_above.isFinite();
   if (!finite) throw BadInput("a pose of gripper_tcp or of the object is not finite");
-  for (double width : {request.open_width, request.grip_width})
+  for (double width : {request.opening, request.part_width})
     if (!(width >= 0 && width <= 1)) throw BadInput("the gripper's width must be 0 to 1 m");
 }
 
@@ -31,10 +31,9 @@ PickRequest pickBefore(const PlaceRequest& request, const Rigid3& base_from_tcp)
   PickRequest pick;
   pick.start = request.start;
   pick.target.object = request.object;
-  pick.target.base_from_tcp_before = pick.target.base_from_tcp_grasp = pick.target.base_from_tcp_after =
-      base_from_tcp;
-  pick.target.open_width = request.open_width;
-  pick.target.grip_width = request.grip_width;
+  pick.target.base_from_pregrasp = pick.target.base_from_grasp = pick.target.base_from_lift = base_from_tcp;
+  pick.target.opening = request.opening;
+  pick.target.part_width = request.part_width;
   pick.drops = request.drops;
   pick.supports = request.supports;
   return pick;
@@ -94,7 +93,7 @@ class Placer {
   }
 
   void compose(const JointPath& carry, const DropWay& way, const CollisionWorld& released) {
-    const double open = pick_.target.open_width, grip = pick_.target.grip_width;
+    const double open = pick_.target.opening, grip = pick_.target.part_width;
     TimingOptions near = options_.timing;
     near.tool_speed = std::min(options_.near_speed, near.tool_speed);
     near.corner = std::min(kNearCorner, near.corner);
@@ -127,7 +126,7 @@ PickPlan planPlace(const ToolArm& arm, const CollisionWorld& world, const PlaceR
   requireRequest(world, arm, request);
   const Rigid3 base_from_tcp = arm.baseFromTcp(request.start);
   CollisionWorld held = world;
-  held.setGripperWidth(request.grip_width);
+  held.setGripperWidth(request.part_width);
   held.attach(request.object, request.tcp_from_object);
   TouchingPairs touching;
   for (const std::string& support : request.supports) touching.emplace_back(request.object, support);

@@ -43,7 +43,7 @@ void expectSound(const GraspPlan& found) {
     last = c.quality;
     const std::pair<Rigid3, JointVector> stations[] = {{c.base_from_pregrasp, c.pregrasp_joints},
                                                        {c.base_from_grasp, c.grasp_joints},
-                                                       {c.base_from_retreat, c.retreat_joints}};
+                                                       {c.base_from_lift, c.lift_joints}};
     for (const auto& [pose, joints] : stations) {
       EXPECT_LT(difference(arm.baseFromTool0(joints) * tool0FromTcp(), pose).norm(), 1e-6);
       EXPECT_TRUE(arm.withinLimits(joints));
@@ -54,10 +54,10 @@ void expectSound(const GraspPlan& found) {
     EXPECT_LT(c.approach.z(), -std::cos(options.max_tilt) + 1e-9);
     EXPECT_NEAR((c.base_from_grasp.translation - c.base_from_pregrasp.translation).dot(c.approach),
                 options.approach_distance, 1e-12);
-    EXPECT_NEAR(c.base_from_retreat.translation.z() - c.base_from_grasp.translation.z(),
-                options.lift_distance, 1e-12);
+    EXPECT_NEAR(c.base_from_lift.translation.z() - c.base_from_grasp.translation.z(), options.lift_distance,
+                1e-12);
     EXPECT_GE(c.clearance(), 0);
-    EXPECT_NEAR(c.opening, c.width + 2 * c.free, 1e-12);
+    EXPECT_NEAR(c.opening, c.part_width + 2 * c.free, 1e-12);
     const double lowest_tip = c.base_from_grasp.translation.z() + 0.009 * c.base_from_grasp.rotation(2, 2);
     EXPECT_GT(lowest_tip, kTable + options.table_clearance - 1e-9);
   }

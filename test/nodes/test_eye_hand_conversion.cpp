@@ -113,14 +113,14 @@ TEST(EyeHandConversion, GraspTargetCarriesEveryField) {
   GraspCandidate grasp;
   grasp.base_from_pregrasp = {expSO3({0.1, 0, 0}), {1, 2, 3}};
   grasp.base_from_grasp = {expSO3({0, 0.2, 0}), {4, 5, 6}};
-  grasp.base_from_retreat = {expSO3({0, 0, 0.3}), {7, 8, 9}};
-  grasp.width = 0.03;
+  grasp.base_from_lift = {expSO3({0, 0, 0.3}), {7, 8, 9}};
+  grasp.part_width = 0.03;
   grasp.opening = 0.05;
   grasp.approach = {0.6, 0, -0.8};
   grasp.branch = {Shoulder::kLeft, Elbow::kDown, Wrist::kNegative};
   grasp.pregrasp_joints << 1, 2, 3, 4, 5, 6;
   grasp.grasp_joints << 11, 12, 13, 14, 15, 16;
-  grasp.retreat_joints << 21, 22, 23, 24, 25, 26;
+  grasp.lift_joints << 21, 22, 23, 24, 25, 26;
   grasp.free = 0.01;
   grasp.needed = 0.004;
   grasp.quality = 0.9;
@@ -134,7 +134,7 @@ TEST(EyeHandConversion, GraspTargetCarriesEveryField) {
   EXPECT_EQ(target.reason, "faces 3 and 5");
   EXPECT_EQ(target.pregrasp, toPose(grasp.base_from_pregrasp));
   EXPECT_EQ(target.grasp, toPose(grasp.base_from_grasp));
-  EXPECT_EQ(target.retreat, toPose(grasp.base_from_retreat));
+  EXPECT_EQ(target.retreat, toPose(grasp.base_from_lift));
   EXPECT_EQ(target.approach.x, 0.6);
   EXPECT_EQ(target.approach.z, -0.8);
   EXPECT_EQ(target.width, 0.03);

@@ -99,10 +99,10 @@ TEST(PlannerConversion, PickTarget) {
   message.opening = 0.06;
   const PickTarget target = pickTargetOf(message, "bridge 3", 0.09);
   EXPECT_EQ(target.object, "bridge 3");
-  EXPECT_EQ(target.base_from_tcp_grasp.translation.x(), 2);
-  EXPECT_EQ(target.base_from_tcp_after.translation.x(), 3);
-  EXPECT_EQ(target.open_width, 0.06);
-  EXPECT_EQ(target.grip_width, 0.04);
+  EXPECT_EQ(target.base_from_grasp.translation.x(), 2);
+  EXPECT_EQ(target.base_from_lift.translation.x(), 3);
+  EXPECT_EQ(target.opening, 0.06);
+  EXPECT_EQ(target.part_width, 0.04);
   message.opening = 0.1;
   EXPECT_NE(refusal([&] { pickTargetOf(message, "x", 0.09); }).find("opening"), std::string::npos);
   message.opening = 0.03;

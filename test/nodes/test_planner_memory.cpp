@@ -14,11 +14,11 @@ PickMemory memory() {
   PickMemory memory;
   memory.object = {"bridge", 2, pose(0.3)};
   memory.target.object = "bridge 2";
-  memory.target.base_from_tcp_before = pose(0.5);
-  memory.target.base_from_tcp_grasp = pose(0.7);
-  memory.target.base_from_tcp_after = pose(0.9);
-  memory.target.open_width = 0.07;
-  memory.target.grip_width = 0.04;
+  memory.target.base_from_pregrasp = pose(0.5);
+  memory.target.base_from_grasp = pose(0.7);
+  memory.target.base_from_lift = pose(0.9);
+  memory.target.opening = 0.07;
+  memory.target.part_width = 0.04;
   memory.stamp = 12.5;
   return memory;
 }
@@ -34,11 +34,11 @@ TEST(PlannerMemory, ComesBackAsItWas) {
   EXPECT_EQ(after->object.label(), "bridge 2");
   EXPECT_EQ(after->target.object, "bridge 2");
   EXPECT_TRUE(same(after->object.base_from_object, before.object.base_from_object));
-  EXPECT_TRUE(same(after->target.base_from_tcp_before, before.target.base_from_tcp_before));
-  EXPECT_TRUE(same(after->target.base_from_tcp_grasp, before.target.base_from_tcp_grasp));
-  EXPECT_TRUE(same(after->target.base_from_tcp_after, before.target.base_from_tcp_after));
-  EXPECT_EQ(after->target.open_width, 0.07);
-  EXPECT_EQ(after->target.grip_width, 0.04);
+  EXPECT_TRUE(same(after->target.base_from_pregrasp, before.target.base_from_pregrasp));
+  EXPECT_TRUE(same(after->target.base_from_grasp, before.target.base_from_grasp));
+  EXPECT_TRUE(same(after->target.base_from_lift, before.target.base_from_lift));
+  EXPECT_EQ(after->target.opening, 0.07);
+  EXPECT_EQ(after->target.part_width, 0.04);
   EXPECT_EQ(after->stamp, 12.5);
 }
 

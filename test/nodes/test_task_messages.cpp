@@ -80,13 +80,13 @@ TEST(TaskMessages, AGraspIsWhatItsMessageSays) {
   const GraspCandidate grasp = fromMessage(message);
   EXPECT_LT(difference(grasp.base_from_pregrasp, somePose(0.1)).norm(), 1e-12);
   EXPECT_LT(difference(grasp.base_from_grasp, somePose(0.2)).norm(), 1e-12);
-  EXPECT_LT(difference(grasp.base_from_retreat, somePose(0.3)).norm(), 1e-12);
-  EXPECT_EQ(grasp.width, 0.04);
+  EXPECT_LT(difference(grasp.base_from_lift, somePose(0.3)).norm(), 1e-12);
+  EXPECT_EQ(grasp.part_width, 0.04);
   EXPECT_EQ(grasp.opening, 0.06);
   EXPECT_EQ(grasp.approach, Eigen::Vector3d(0.6, 0, -0.8));
   EXPECT_DOUBLE_EQ(grasp.pregrasp_joints[5], 0.5);
   EXPECT_DOUBLE_EQ(grasp.grasp_joints[0], 1);
-  EXPECT_DOUBLE_EQ(grasp.retreat_joints[3], 2.3);
+  EXPECT_DOUBLE_EQ(grasp.lift_joints[3], 2.3);
   EXPECT_NEAR(grasp.clearance(), 0.003, 1e-9);
   EXPECT_NEAR(grasp.quality, 0.8, 1e-6);
   EXPECT_EQ(grasp.source, "faces 1 and 2");

@@ -136,7 +136,7 @@ TEST(Pick, AnArmNearSomethingMayLeave) {
   world.addBox("shelf", {0.1, 0.1, 0.01},
                at(tcp.translation.x(), tcp.translation.y(), tcp.translation.z() - 0.0155));
   world.setPadding(PlanningOptions().padding);
-  world.setGripperWidth(request.target.open_width);
+  world.setGripperWidth(request.target.opening);
   ASSERT_EQ(world.firstCollision(request.start).second, "shelf");
   const PickPlan plan = planPick(toolArm(), world, request);
   EXPECT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
@@ -155,8 +155,8 @@ TEST(Pick, RefusesBadInput) {
   refused([](PickRequest& r) { r.drops.clear(); });
   refused([](PickRequest& r) { r.start[2] = NAN; });
   refused([](PickRequest& r) { r.start[0] = 3.1; });
-  refused([](PickRequest& r) { r.target.base_from_tcp_grasp.translation.x() = NAN; });
-  refused([](PickRequest& r) { r.target.grip_width = -0.1; });
+  refused([](PickRequest& r) { r.target.base_from_grasp.translation.x() = NAN; });
+  refused([](PickRequest& r) { r.target.part_width = -0.1; });
   EXPECT_THROW(worldsOf(world, bridgeRequest(),
                         [] {
                           PickPlan plan;

@@ -11,7 +11,7 @@ namespace {
 PlaceRequest placeRequest(double lift) {
   const PickRequest pick = bridgeRequest();
   PlaceRequest request;
-  Rigid3 tcp = pick.target.base_from_tcp_grasp;
+  Rigid3 tcp = pick.target.base_from_grasp;
   request.object = pick.target.object;
   request.tcp_from_object = tcp.inverse() * demoWorld().pose(request.object);
   tcp.translation.z() += lift;
@@ -19,8 +19,8 @@ PlaceRequest placeRequest(double lift) {
   toolArm().inverse(tcp, pick.start, &solutions);
   for (const ArmSolution& s : solutions)
     if (s.branch == toolArm().arm.branch(pick.start)) request.start = s.joints;
-  request.open_width = pick.target.open_width;
-  request.grip_width = pick.target.grip_width;
+  request.opening = pick.target.opening;
+  request.part_width = pick.target.part_width;
   request.drops = pick.drops;
   request.supports = pick.supports;
   return request;
@@ -36,7 +36,7 @@ TEST(Place, FromTheLift) {
   EXPECT_EQ(plan.motions[2].stage, PickStage::kRetreat);
   EXPECT_EQ(plan.motions[0].trajectory.points.front().position, request.start);
   CollisionWorld held = world;
-  held.setGripperWidth(request.grip_width);
+  held.setGripperWidth(request.part_width);
   held.attach(request.object, request.tcp_from_object);
   EXPECT_EQ(firstCollision(held, plan.motions[0].trajectory, PathOptions().resolution / 10).second, "");
   const Rigid3 end = toolArm().baseFromTcp(plan.motions[1].trajectory.points.back().position);
@@ -77,7 +77,7 @@ TEST(Place, WithdrawsFromANarrowPlace) {
   ASSERT_EQ(plan.motions.size(), 4u);
   EXPECT_EQ(plan.motions[0].stage, PickStage::kLift);
   CollisionWorld held = world;
-  held.setGripperWidth(request.grip_width);
+  held.setGripperWidth(request.part_width);
   held.attach(request.object, request.tcp_from_object);
   for (size_t i : {0, 1})
     EXPECT_EQ(firstCollision(held, plan.motions[i].trajectory, PathOptions().resolution / 10).second, "");
@@ -109,7 +109,7 @@ TEST(Place, RefusesBadInput) {
   refused([](PlaceRequest& r) { r.supports = {"cloud"}; });
   refused([](PlaceRequest& r) { r.start[2] = NAN; });
   refused([](PlaceRequest& r) { r.tcp_from_object.translation.x() = NAN; });
-  refused([](PlaceRequest& r) { r.grip_width = -1; });
+  refused([](PlaceRequest& r) { r.part_width = -1; });
 }
 
 }  // namespace

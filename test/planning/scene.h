@@ -61,11 +61,11 @@ inline PickRequest pickRequest(const std::string& object, double x, double y, do
   PickRequest request;
   request.start = lookingJoints();
   request.target.object = object;
-  request.target.base_from_tcp_grasp = down(x, y, z, yaw);
-  request.target.base_from_tcp_before = down(x, y, z + 0.08, yaw);
-  request.target.base_from_tcp_after = down(x, y, z + 0.10, yaw);
-  request.target.open_width = std::min(0.09, width + 0.02);
-  request.target.grip_width = width;
+  request.target.base_from_grasp = down(x, y, z, yaw);
+  request.target.base_from_pregrasp = down(x, y, z + 0.08, yaw);
+  request.target.base_from_lift = down(x, y, z + 0.10, yaw);
+  request.target.opening = std::min(0.09, width + 0.02);
+  request.target.part_width = width;
   for (double drop_yaw : {0.0, M_PI / 2, -M_PI / 2})
     request.drops.push_back({down(0.50, -0.48, z + 0.10, drop_yaw), down(0.50, -0.48, z + 2e-3, drop_yaw)});
   request.supports = {"table"};

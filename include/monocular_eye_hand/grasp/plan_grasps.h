@@ -68,12 +68,12 @@ const char* name(GraspRefusal refusal);
 
 /// One way to pick the object up.
 struct GraspCandidate {
-  Rigid3 base_from_pregrasp, base_from_grasp, base_from_retreat;  ///< of gripper_tcp
-  double width = 0;                                               ///< of the part between the pads [m]
+  Rigid3 base_from_pregrasp, base_from_grasp, base_from_lift;  ///< of gripper_tcp; lift: where it ends
+  double part_width = 0;                                       ///< of the part between the pads [m]
   double opening = 0;  ///< of the gripper at pre-grasp and until it closes [m]
   Eigen::Vector3d approach = Eigen::Vector3d::Zero();  ///< unit, base: from pre-grasp to grasp
   Branch branch;
-  JointVector pregrasp_joints, grasp_joints, retreat_joints;
+  JointVector pregrasp_joints, grasp_joints, lift_joints;
   double free = 0;       ///< between pad and part on each side before closing [m]
   double needed = 0;     ///< of that for the pose's uncertainty [m]
   double quality = 0;    ///< 0..1, see planGrasps
@@ -96,7 +96,7 @@ struct GraspPlan {
   std::string reason;          ///< when there is no candidate: why, with numbers
 };
 
-/// Every grasp of the model, its symmetric copies and its half turn, as pre-grasp, grasp and retreat that the
+/// Every grasp of the model, its symmetric copies and its half turn, as pre-grasp, grasp and lift that the
 /// arm reaches in one posture without meeting table, part or obstacles. Best first: quality of the model's
 /// grasp, steepness of the approach, room for the pose's uncertainty, closing along the table, then the
 /// shortest way of the joints from `current`.

@@ -66,11 +66,11 @@ MovePlan planMove(const ToolArm& arm, const CollisionWorld& world, const MoveReq
 
 struct PlaceRequest {
   JointVector start = JointVector::Zero();
-  std::string object;                     ///< a world object; where it stands in the world does not matter
-  Rigid3 tcp_from_object;                 ///< how it is held
-  double open_width = 0, grip_width = 0;  ///< between the finger pads, after and before letting go [m]
-  std::vector<DropTarget> drops;          ///< the first that works is taken
-  std::vector<std::string> supports;      ///< world objects that the held one may touch at start and end
+  std::string object;                  ///< a world object; where it stands in the world does not matter
+  Rigid3 tcp_from_object;              ///< how it is held
+  double opening = 0, part_width = 0;  ///< between the finger pads, after and before letting go [m]
+  std::vector<DropTarget> drops;       ///< the first that works is taken
+  std::vector<std::string> supports;   ///< world objects that the held one may touch at start and end
 };
 
 /// Plans to put down what is held: the last three motions of a pick, kCarry, kLower and kRetreat; before them

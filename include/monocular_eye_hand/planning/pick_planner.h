@@ -9,10 +9,9 @@ namespace monocular_eye_hand {
 
 /// One way to take hold of an object.
 struct PickTarget {
-  std::string object;  ///< a world object
-  Rigid3 base_from_tcp_before, base_from_tcp_grasp,
-      base_from_tcp_after;                ///< pre-grasp, grasp, end of the lift
-  double open_width = 0, grip_width = 0;  ///< between the finger pads, before and after closing [m]
+  std::string object;                                          ///< a world object
+  Rigid3 base_from_pregrasp, base_from_grasp, base_from_lift;  ///< lift: where it ends
+  double opening = 0, part_width = 0;  ///< between the finger pads, before and after closing [m]
 };
 
 /// Where gripper_tcp lets go; it comes from `above` in a straight line and withdraws as far against its own
@@ -32,7 +31,7 @@ struct PickRequest {
 enum class PickOutcome {
   kPlanned,
   kStartInCollision,
-  kGraspUnreachable,  ///< pre-grasp, grasp or retreat: out of reach, limits, singularity
+  kGraspUnreachable,  ///< pre-grasp, grasp or lift: out of reach, limits, singularity
   kGraspInCollision,  ///< the arm cannot be at the pre-grasp
   kApproachBlocked,
   kLiftBlocked,
