@@ -187,11 +187,10 @@ void BM_PickPlan(benchmark::State& state) {
         }
         ++planned;
         durations.push_back(plan.duration());
-        const std::vector<CollisionWorld> worlds = worldsOf(world, request, plan);
-        for (size_t i = 0; i < worlds.size(); ++i)
-          penetrations +=
-              !firstCollision(worlds[i], plan.motions[i].trajectory, PathOptions().resolution / 10)
-                   .first.empty();
+        for (const PickMotion& motion : plan.motions)
+          penetrations += !firstCollision(worldOf(motion.stage, world, request, plan), motion.trajectory,
+                                          PathOptions().resolution / 10)
+                               .first.empty();
       }
   state.counters["median_ms"] = 1e3 * quantile(times, 0.5);
   state.counters["p99_ms"] = 1e3 * quantile(times, 0.99);

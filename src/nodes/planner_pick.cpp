@@ -16,6 +16,13 @@ std::vector<Trajectory> trajectoriesOf(const std::vector<PickMotion>& motions) {
   return trajectories;
 }
 
+/// What is left of a planned pick when the object is lifted.
+PickPlan afterLift(PickPlan plan) {
+  const auto carries = [](const PickMotion& motion) { return motion.stage == PickStage::kCarry; };
+  plan.motions.erase(plan.motions.begin(), std::find_if(plan.motions.begin(), plan.motions.end(), carries));
+  return plan;
+}
+
 std::string noPlace(int place, size_t places) {
   return "there is no place " + std::to_string(place) + ": the drop zone has " + std::to_string(places) +
          ", counted from 0";
@@ -126,8 +133,8 @@ PlannerWork::PlannedPick PlannerWork::planThePick(const PlacedObject& object, co
 
 ActionResult PlannerWork::drivePick(const PlacedObject& object, const PlannedPick& planned,
                                     const WorkWatch& watch) {
-  const std::vector<PickMotion>& motions = planned.kept.plan.motions;
-  std::vector<Trajectory> shown = trajectoriesOf(motions);
+  const PickPlan& plan = planned.kept.plan;
+  std::vector<Trajectory> shown = trajectoriesOf(plan.motions);
   if (!planned.departure.trajectory.points.empty()) shown.insert(shown.begin(), planned.departure.trajectory);
   watch.show(shown);
   if (watch.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
@@ -136,13 +143,14 @@ ActionResult PlannerWork::drivePick(const PlacedObject& object, const PlannedPic
   Drive drive = driver_.openGripper(planned.kept.request.target.opening, reach);
   if (drive.done()) drive = driver_.follow(planned.departure.trajectory, reach);
   if (drive.done()) visit_ = {};
-  if (drive.done()) drive = driver_.follow(motions[0].trajectory, reach);
+  if (drive.done()) drive = driver_.follow(plan.motion(PickStage::kReach).trajectory, reach);
   if (!drive.done()) return result(drive);
 
   visit_ = {object, planned.kept.request.target.opening};
-  drive = driver_.follow(motions[1].trajectory, driveWatch(watch, "approach", false));
+  drive = driver_.follow(plan.motion(PickStage::kApproach).trajectory, driveWatch(watch, "approach", false));
   if (drive.done()) drive = closeOn(object, planned.kept, driveWatch(watch, "close", false));
-  if (drive.done()) drive = driver_.follow(motions[2].trajectory, driveWatch(watch, "lift", true));
+  if (drive.done())
+    drive = driver_.follow(plan.motion(PickStage::kLift).trajectory, driveWatch(watch, "lift", true));
 
   if (drive.outcome == ActionOutcome::kGraspLost) {
     held_.reset();
@@ -176,12 +184,14 @@ Drive PlannerWork::closeOn(const PlacedObject& object, const KeptPlan& kept, con
 bool PlannerWork::keptFits(int place, const JointVector& joints) const {
   if (!held_->kept || held_->kept->place != place) return false;
   const KeptPlan& kept = *held_->kept;
-  const JointVector begin = kept.plan.motions[3].trajectory.points.front().position;
+  const JointVector begin = kept.plan.motion(PickStage::kCarry).trajectory.points.front().position;
   if ((joints - begin).cwiseAbs().maxCoeff() > parameters_.execution.start_tolerance) return false;
-  const std::vector<CollisionWorld> worlds =
-      worldsOf(scene_.world(held_->object, place, inHand(joints)), kept.request, kept.plan);
-  for (size_t i = 3; i < kept.plan.motions.size(); ++i)
-    if (!firstCollision(worlds[i], kept.plan.motions[i].trajectory, kRecheck).first.empty()) return false;
+
+  const CollisionWorld now = scene_.world(held_->object, place, inHand(joints));
+  for (const PickStage stage : {PickStage::kCarry, PickStage::kLower, PickStage::kRetreat}) {
+    const CollisionWorld world = worldOf(stage, now, kept.request, kept.plan);
+    if (!firstCollision(world, kept.plan.motion(stage).trajectory, kRecheck).first.empty()) return false;
+  }
   return true;
 }
 
@@ -221,8 +231,7 @@ ActionResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   const JointVector joints = start();
   PickPlan plan;
   if (keptFits(goal.place, joints)) {
-    plan = held_->kept->plan;
-    plan.motions.erase(plan.motions.begin(), plan.motions.begin() + 3);
+    plan = afterLift(held_->kept->plan);
   } else {
     plan = planThePlace(goal.place, joints);
   }
@@ -231,19 +240,18 @@ ActionResult PlannerWork::place(const PlaceGoal& goal, const WorkWatch& watch) {
   watch.say("plan", 1);
 
   ActionResult ended = plan.planned()
-                           ? drivePlace(goal.place, plan.motions, watch)
+                           ? drivePlace(goal.place, plan, watch)
                            : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
   if (plan.outcome == PickOutcome::kStartInCollision) ended.reason += "; " + recoverHint();
   ended.planning_time = planning_time;
   return ended;
 }
 
-ActionResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& motions,
-                                     const WorkWatch& watch) {
-  watch.show(trajectoriesOf(motions));
+ActionResult PlannerWork::drivePlace(int place, const PickPlan& plan, const WorkWatch& watch) {
+  watch.show(trajectoriesOf(plan.motions));
   if (watch.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
   Drive drive;
-  for (const PickMotion& motion : motions) {
+  for (const PickMotion& motion : plan.motions) {
     if (motion.stage == PickStage::kRetreat) continue;
     const char* stage = motion.stage == PickStage::kLower ? "lower" : "carry";
     drive = driver_.follow(motion.trajectory, driveWatch(watch, stage, true));
@@ -252,8 +260,8 @@ ActionResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& m
   }
 
   PlacedObject object = held_->object;
-  object.base_from_object = arm_.baseFromTcp(motions[motions.size() - 2].trajectory.points.back().position) *
-                            held_->tcp_from_object;
+  const JointVector lowered = plan.motion(PickStage::kLower).trajectory.points.back().position;
+  object.base_from_object = arm_.baseFromTcp(lowered) * held_->tcp_from_object;
   object.base_from_object.translation.z() -= parameters_.drop_gap;
   const double opening = held_->target.opening;
   visit_ = {object, opening};
@@ -263,7 +271,8 @@ ActionResult PlannerWork::drivePlace(int place, const std::vector<PickMotion>& m
   held_.reset();
   keepMemory(std::nullopt);
   scene_.putDown(place, object);
-  if (drive.done()) drive = driver_.follow(motions.back().trajectory, driveWatch(watch, "retreat", false));
+  if (drive.done())
+    drive = driver_.follow(plan.motion(PickStage::kRetreat).trajectory, driveWatch(watch, "retreat", false));
   if (drive.done()) visit_ = {};
   return result(drive);
 }

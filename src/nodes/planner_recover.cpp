@@ -92,7 +92,7 @@ ActionResult PlannerWork::putDownSomewhere(const WorkWatch& watch, std::string* 
       continue;
     }
     *said += "put down " + label + " at place " + std::to_string(place) + "; ";
-    return drivePlace(int(place), plan.motions, watch);
+    return drivePlace(int(place), plan, watch);
   }
   return result(ActionOutcome::kUnreachable,
                 *said + "no free place for " + label + " can be reached: " + last);

@@ -83,7 +83,7 @@ class PlannerWork {
   bool keptFits(int place, const JointVector& joints) const;
   /// `free`: the caller says that nothing stands at the place; else it must be known to be free.
   PickPlan planThePlace(int place, const JointVector& joints, bool free = true) const;
-  ActionResult drivePlace(int place, const std::vector<PickMotion>& motions, const WorkWatch& watch);
+  ActionResult drivePlace(int place, const PickPlan& plan, const WorkWatch& watch);
   ActionResult driveMove(const MovePlan& plan, double opening, const WorkWatch& watch);
   std::string lost(const GripperState& state) const;
   std::optional<PlacedObject> inHand(const JointVector& joints) const;

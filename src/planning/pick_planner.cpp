@@ -197,6 +197,12 @@ std::string name(PickStage stage) {
   return "unknown";
 }
 
+const PickMotion& PickPlan::motion(PickStage stage) const {
+  for (const PickMotion& motion : motions)
+    if (motion.stage == stage) return motion;
+  throw BadInput("the plan has no motion \"" + name(stage) + "\"");
+}
+
 double PickPlan::duration() const {
   double sum = 0;
   for (const PickMotion& motion : motions) sum += motion.trajectory.duration();
@@ -223,12 +229,24 @@ PickPlan planPick(const ToolArm& arm, const CollisionWorld& world, const PickReq
   return Planner(arm, world, request, options, padding).run();
 }
 
-std::vector<CollisionWorld> worldsOf(const CollisionWorld& world, const PickRequest& request,
-                                     const PickPlan& plan) {
+CollisionWorld worldOf(PickStage stage, const CollisionWorld& world, const PickRequest& request,
+                       const PickPlan& plan) {
   if (!plan.planned()) throw BadInput("a pick that is not planned has no motions");
   const PickWorlds worlds(world, request, 0, 0);
-  return {worlds.reach, worlds.approach, worlds.lift,
-          worlds.carry, worlds.lift,     worlds.released(request, request.drops.at(plan.drop), 0)};
+  switch (stage) {
+    case PickStage::kReach:
+      return worlds.reach;
+    case PickStage::kApproach:
+      return worlds.approach;
+    case PickStage::kLift:
+    case PickStage::kLower:
+      return worlds.lift;
+    case PickStage::kCarry:
+      return worlds.carry;
+    case PickStage::kRetreat:
+      break;
+  }
+  return worlds.released(request, request.drops.at(plan.drop), 0);
 }
 
 }  // namespace monocular_eye_hand

@@ -124,5 +124,13 @@ TEST(Move, RefusesBadInput) {
   EXPECT_THROW(planMove(toolArm(), world, start), BadInput);
 }
 
+TEST(Move, OutcomesAreThoseOfTheAction) {
+  EXPECT_EQ(outcomeOf(MoveOutcome::kPlanned), ActionOutcome::kDone);
+  for (const MoveOutcome met : {MoveOutcome::kStartInCollision, MoveOutcome::kGoalInCollision})
+    EXPECT_EQ(outcomeOf(met), ActionOutcome::kInCollision) << name(met);
+  for (const MoveOutcome far : {MoveOutcome::kUnreachable, MoveOutcome::kNoPath})
+    EXPECT_EQ(outcomeOf(far), ActionOutcome::kUnreachable) << name(far);
+}
+
 }  // namespace
 }  // namespace monocular_eye_hand

@@ -16,11 +16,10 @@ void expectChained(const PickPlan& plan, const JointVector& start) {
 }
 
 void expectFree(const CollisionWorld& world, const PickRequest& request, const PickPlan& plan) {
-  const std::vector<CollisionWorld> worlds = worldsOf(world, request, plan);
-  for (size_t i = 0; i < plan.motions.size(); ++i) {
-    const CollisionPair hit =
-        firstCollision(worlds[i], plan.motions[i].trajectory, PathOptions().resolution / 10);
-    EXPECT_EQ(hit.first, "") << name(plan.motions[i].stage) << ": " << hit.second << " " << hit.distance;
+  for (const PickMotion& motion : plan.motions) {
+    const CollisionPair hit = firstCollision(worldOf(motion.stage, world, request, plan), motion.trajectory,
+                                             PathOptions().resolution / 10);
+    EXPECT_EQ(hit.first, "") << name(motion.stage) << ": " << hit.second << " " << hit.distance;
   }
 }
 
@@ -32,7 +31,8 @@ TEST(Pick, CarriesEveryObjectOutOfTheFrame) {
     ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
     expectChained(plan, request.start);
     expectFree(world, request, plan);
-    const Rigid3 end = toolArm().baseFromTcp(plan.motions[4].trajectory.points.back().position);
+    const Rigid3 end =
+        toolArm().baseFromTcp(plan.motion(PickStage::kLower).trajectory.points.back().position);
     EXPECT_LT((end.translation - request.drops[plan.drop].base_from_tcp.translation).norm(), 1e-9);
     EXPECT_LT(plan.duration(), 30);
     EXPECT_TRUE(world.carried().empty()) << "the world that was given is left alone";
@@ -157,13 +157,28 @@ TEST(Pick, RefusesBadInput) {
   refused([](PickRequest& r) { r.start[0] = 3.1; });
   refused([](PickRequest& r) { r.target.base_from_grasp.translation.x() = NAN; });
   refused([](PickRequest& r) { r.target.part_width = -0.1; });
-  EXPECT_THROW(worldsOf(world, bridgeRequest(),
-                        [] {
-                          PickPlan plan;
-                          plan.outcome = PickOutcome::kLiftBlocked;
-                          return plan;
-                        }()),
-               BadInput);
+  PickPlan blocked;
+  blocked.outcome = PickOutcome::kLiftBlocked;
+  EXPECT_THROW(worldOf(PickStage::kReach, world, bridgeRequest(), blocked), BadInput);
+}
+
+TEST(Pick, MotionsAreFoundByTheirStage) {
+  PickPlan plan;
+  plan.motions = {{PickStage::kLift, {}, 0.01}, {PickStage::kCarry, {}, 0.02}};
+  EXPECT_EQ(plan.motion(PickStage::kLift).gripper_width, 0.01);
+  EXPECT_EQ(plan.motion(PickStage::kCarry).gripper_width, 0.02);
+  EXPECT_THROW(plan.motion(PickStage::kRetreat), BadInput);
+}
+
+TEST(Pick, OutcomesAreThoseOfTheAction) {
+  EXPECT_EQ(outcomeOf(PickOutcome::kPlanned), ActionOutcome::kDone);
+  for (const PickOutcome met :
+       {PickOutcome::kStartInCollision, PickOutcome::kGraspInCollision, PickOutcome::kApproachBlocked,
+        PickOutcome::kLiftBlocked, PickOutcome::kDropInCollision, PickOutcome::kLoweringBlocked})
+    EXPECT_EQ(outcomeOf(met), ActionOutcome::kInCollision) << name(met);
+  for (const PickOutcome far : {PickOutcome::kGraspUnreachable, PickOutcome::kNoPathToGrasp,
+                                PickOutcome::kDropUnreachable, PickOutcome::kNoPathToDrop})
+    EXPECT_EQ(outcomeOf(far), ActionOutcome::kUnreachable) << name(far);
 }
 
 }  // namespace

@@ -34,12 +34,13 @@ TEST(Place, FromTheLift) {
   ASSERT_EQ(plan.motions.size(), 3u);
   EXPECT_EQ(plan.motions[0].stage, PickStage::kCarry);
   EXPECT_EQ(plan.motions[2].stage, PickStage::kRetreat);
-  EXPECT_EQ(plan.motions[0].trajectory.points.front().position, request.start);
+  const Trajectory& carry = plan.motion(PickStage::kCarry).trajectory;
+  EXPECT_EQ(carry.points.front().position, request.start);
   CollisionWorld held = world;
   held.setGripperWidth(request.part_width);
   held.attach(request.object, request.tcp_from_object);
-  EXPECT_EQ(firstCollision(held, plan.motions[0].trajectory, PathOptions().resolution / 10).second, "");
-  const Rigid3 end = toolArm().baseFromTcp(plan.motions[1].trajectory.points.back().position);
+  EXPECT_EQ(firstCollision(held, carry, PathOptions().resolution / 10).second, "");
+  const Rigid3 end = toolArm().baseFromTcp(plan.motion(PickStage::kLower).trajectory.points.back().position);
   EXPECT_LT((end.translation - request.drops[size_t(plan.drop)].base_from_tcp.translation).norm(), 1e-9);
 }
 
@@ -50,10 +51,8 @@ TEST(Place, LiftsFirstWhatStandsOnTheTable) {
   ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
   ASSERT_EQ(plan.motions.size(), 4u);
   EXPECT_EQ(plan.motions[0].stage, PickStage::kLift);
-  EXPECT_LT(
-      (plan.motions[0].trajectory.points.back().position - plan.motions[1].trajectory.points.front().position)
-          .norm(),
-      1e-9);
+  const JointVector lifted = plan.motion(PickStage::kLift).trajectory.points.back().position;
+  EXPECT_LT((plan.motion(PickStage::kCarry).trajectory.points.front().position - lifted).norm(), 1e-9);
   PlaceRequest unsupported = request;
   unsupported.supports.clear();
   CollisionWorld sunk = world;
@@ -79,10 +78,10 @@ TEST(Place, WithdrawsFromANarrowPlace) {
   CollisionWorld held = world;
   held.setGripperWidth(request.part_width);
   held.attach(request.object, request.tcp_from_object);
-  for (size_t i : {0, 1})
-    EXPECT_EQ(firstCollision(held, plan.motions[i].trajectory, PathOptions().resolution / 10).second, "");
+  for (const PickStage stage : {PickStage::kLift, PickStage::kCarry})
+    EXPECT_EQ(firstCollision(held, plan.motion(stage).trajectory, PathOptions().resolution / 10).second, "");
   const Eigen::Vector3d up =
-      toolArm().baseFromTcp(plan.motions[0].trajectory.points.back().position).translation -
+      toolArm().baseFromTcp(plan.motion(PickStage::kLift).trajectory.points.back().position).translation -
       toolArm().baseFromTcp(request.start).translation;
   EXPECT_LT((up - Eigen::Vector3d(0, 0, 0.1)).norm(), 1e-6);
 }

@@ -62,6 +62,8 @@ struct PickPlan {
   Branch branch;                    ///< posture at the grasp
   int drop = -1;                    ///< PickRequest::drops
   bool planned() const { return outcome == PickOutcome::kPlanned; }
+  /// Throws BadInput when the plan has none of this stage.
+  const PickMotion& motion(PickStage stage) const;
   double duration() const;  ///< of the motions [s]
 };
 
@@ -72,9 +74,9 @@ struct PickPlan {
 PickPlan planPick(const ToolArm& arm, const CollisionWorld& world, const PickRequest& request,
                   const PlanningOptions& options = {});
 
-/// The worlds that planPick() tests its motions in: with true shapes, what is carried attached, and what may
-/// touch allowed. For re-checking a plan; same order as the motions.
-std::vector<CollisionWorld> worldsOf(const CollisionWorld& world, const PickRequest& request,
-                                     const PickPlan& plan);
+/// The world that planPick() tests its motion of this stage in: with true shapes, what is carried attached,
+/// and what may touch allowed. For re-checking a plan. Throws BadInput when nothing is planned.
+CollisionWorld worldOf(PickStage stage, const CollisionWorld& world, const PickRequest& request,
+                       const PickPlan& plan);
 
 }  // namespace monocular_eye_hand
