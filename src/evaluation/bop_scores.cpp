@@ -38,6 +38,7 @@ Groups groupsOf(const BopImage& image, const std::vector<BopResult>& rows, const
                 int width) {
   Groups groups;
   for (const GroundTruth& truth : image.truth) groups[truth.object].visible.push_back(truth.visible);
+
   for (size_t k = 0; k < rows.size(); ++k) {
     Estimate estimate;
     estimate.score = rows[k].score;
@@ -155,11 +156,13 @@ double averagePrecision(const std::vector<Groups>& images, int object, Kind kind
     if (found == groups.end()) continue;
     const Group& group = found->second;
     if (group.visible.empty() && !strict) continue;
+
     std::vector<const Estimate*> estimates;
     for (const Estimate& estimate : group.estimates)
       if (estimate.detection) estimates.push_back(&estimate);
     const std::vector<int> truth_of =
         match(estimates, std::vector<bool>(group.visible.size(), true), kind, threshold);
+
     const auto visible = [&](int g) { return group.visible[size_t(g)] >= kMinVisible; };
     for (size_t g = 0; g < group.visible.size(); ++g) instances += visible(int(g));
     for (size_t k = 0; k < estimates.size(); ++k) {

@@ -169,6 +169,7 @@ WrongAccept placed(const BopImage& image, const BopModels& models, const RowOutc
   wrong.row = row;
   const Hull hull = projectedHull(models.at(row.object), row.camera_from_object, image.intrinsics);
   const double own = area(hull);
+
   double best = 0;
   for (size_t k = 0; k < image.truth.size(); ++k) {
     const GroundTruth& truth = image.truth[k];
@@ -183,6 +184,7 @@ WrongAccept placed(const BopImage& image, const BopModels& models, const RowOutc
     if (truth.object == row.object)
       wrong.cause = best >= kSamePlace ? WrongCause::kTwin : WrongCause::kMisplaced;
   }
+
   const BopModel& model = models.at(row.object);
   const double size = model.diameter * image.intrinsics(0, 0) / row.camera_from_object.translation.norm();
   if (nearlyRight(row.errors.mspd, size)) {

@@ -63,6 +63,7 @@ void readScene(const fs::path& dir, int scene, const std::set<int>& wanted, std:
   const bool has_info = fs::exists(dir / "scene_gt_info.json");
   const json infos = has_info ? loadJson((dir / "scene_gt_info.json").string()) : json();
   if (!truths.is_object()) throw BadInput(gt_path + ": a map of image ids expected");
+
   for (const auto& item : truths.items()) {
     const std::string& key = item.key();
     BopImage image;
@@ -74,6 +75,7 @@ void readScene(const fs::path& dir, int scene, const std::set<int>& wanted, std:
       throw BadInput(camera_path + ": image " + key + " is missing");
     if (has_info && !infos.contains(key))
       throw BadInput((dir / "scene_gt_info.json").string() + ": image " + key + " is missing");
+
     image.intrinsics = matrixAt(cameras[key], "cam_K", camera_path + ": image " + key);
     image.camera_from_world = cameraFromWorld(cameras[key], camera_path + ": image " + key);
     image.truth = readTruth(item.value(), has_info ? &infos[key] : nullptr, gt_path + ": image " + key);
@@ -115,6 +117,7 @@ BopSplit loadBopSplit(const std::string& dataset_dir, const std::string& split,
   const fs::path dir = fs::path(dataset_dir) / split;
   if (!fs::is_directory(dir))
     throw BadInput(dir.string() + ": no such folder (a split of a BOP data set expected)");
+
   std::set<int> left(scenes.begin(), scenes.end());
   const std::set<int> wanted_images(images.begin(), images.end());
   BopSplit result;
@@ -125,6 +128,7 @@ BopSplit loadBopSplit(const std::string& dataset_dir, const std::string& split,
     left.erase(scene);
     readScene(entry.path(), scene, wanted_images, &result.images);
   }
+
   if (!left.empty()) throw BadInput(dir.string() + ": there is no scene " + std::to_string(*left.begin()));
   if (result.images.empty()) throw BadInput(dir.string() + ": no image with ground truth to evaluate");
   std::sort(result.images.begin(), result.images.end(), [](const BopImage& a, const BopImage& b) {
@@ -170,8 +174,12 @@ Camera bopCamera(const BopImage& image, int width, int height) {
   if (k(0, 1) != 0 || k(1, 0) != 0 || k(2, 0) != 0 || k(2, 1) != 0 || k(2, 2) != 1)
     throw BadInput(where + ": cam_K is not of the form fx 0 cx, 0 fy cy, 0 0 1 (skew is not supported)");
   Camera camera;
-  camera.width = width, camera.height = height;
-  camera.fx = k(0, 0), camera.fy = k(1, 1), camera.cx = k(0, 2), camera.cy = k(1, 2);
+  camera.width = width;
+  camera.height = height;
+  camera.fx = k(0, 0);
+  camera.fy = k(1, 1);
+  camera.cx = k(0, 2);
+  camera.cy = k(1, 2);
   try {
     camera.check();
   } catch (const BadInput& e) {

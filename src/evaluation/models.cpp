@@ -38,6 +38,7 @@ BopModels loadBopModels(const std::string& models_dir) {
   const nlohmann::json infos = loadJson(info_path);
   if (!infos.is_object() || infos.empty())
     throw BadInput(info_path + ": no models (a map of object ids expected)");
+
   BopModels models;
   for (const auto& item : infos.items()) {
     const std::string where = info_path + ": object '" + item.key() + "'";
@@ -49,11 +50,13 @@ BopModels loadBopModels(const std::string& models_dir) {
     if (info.contains("name") && info["name"].is_string()) model.name = info["name"];
     model.diameter = numberAt(info, "diameter", where) * kMetresPerMillimetre;
     if (!(model.diameter > 0)) throw BadInput(where + ": 'diameter' must be positive");
+
     try {
       model.symmetries = readSymmetries(info, where);
     } catch (const nlohmann::json::exception& e) {
       throw BadInput(where + ": symmetries cannot be read: " + e.what());
     }
+
     char file[32];
     std::snprintf(file, sizeof file, "/obj_%06d.ply", model.id);
     model.mesh_path = models_dir + file;

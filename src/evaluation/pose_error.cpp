@@ -21,6 +21,7 @@ double smallestWorst(const Rigid3& estimate, const Rigid3& truth,
   std::vector<Point> estimated;
   estimated.reserve(vertices.size());
   for (const Eigen::Vector3d& x : vertices) estimated.push_back(image(estimate * x));
+
   double best = kInfinity;  // squared
   for (const Rigid3& symmetry : symmetries) {
     const Rigid3 pose = truth * symmetry;

@@ -113,12 +113,14 @@ std::vector<BopResult> readBopResults(const std::string& path) {
   std::vector<BopResult> results;
   ImageTimes times;
   CsvReader reader(path, 7);
+
   while (reader.next()) {
     BopResult row;
     row.scene = reader.integer(0, "scene_id");
     row.image = reader.integer(1, "im_id");
     row.object = reader.integer(2, "obj_id");
     row.score = reader.numbers(3, "score", 1)[0];
+
     const std::vector<double> r = reader.numbers(4, "R", 9), t = reader.numbers(5, "t", 3);
     row.camera_from_object.rotation =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.data());
@@ -127,6 +129,7 @@ std::vector<BopResult> readBopResults(const std::string& path) {
     if (!(rotation * rotation.transpose()).isIdentity(1e-3) ||
         rotation.col(0).cross(rotation.col(1)).dot(rotation.col(2)) < 0)
       reader.fail("R is not a rotation");
+
     row.time = reader.numbers(6, "time", 1)[0];
     const auto first = times.emplace(std::make_pair(row.scene, row.image), row.time).first;
     if (std::abs(first->second - row.time) > 1e-3)

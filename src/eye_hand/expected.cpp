@@ -39,6 +39,7 @@ bool expectedInView(const std::vector<PlacedModel>& objects, size_t index, const
   const double distance = (camera_from_object * object.model->centre()).norm();
   const double nearest = std::max(options.expected_nearest, object.model->diameter);
   if (distance < nearest || distance > options.expected_farthest) return false;
+
   const size_t step = std::max<size_t>(1, vertices.size() / kSamples);
   int all = 0, free = 0;
   Eigen::AlignedBox2d extent;
@@ -53,6 +54,7 @@ bool expectedInView(const std::vector<PlacedModel>& objects, size_t index, const
       hidden = k != index && hiddenBy(objects[k], base_from_camera.translation, p_in_base);
     free += !hidden;
   }
+
   return free > 0 && free >= options.expected_share * all &&
          extent.diagonal().norm() >= options.expected_size;
 }

@@ -197,6 +197,7 @@ std::vector<int> ObjectMap::associate(const std::vector<Sighting>& sightings,
         pairs.emplace_back(outside, chi_square, t, k);
     }
   }
+
   std::sort(pairs.begin(), pairs.end());
   std::vector<int> track_of(sightings.size(), -1);
   std::vector<char> taken(tracks_.size(), 0);
@@ -246,17 +247,20 @@ ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double ch
   std::ostringstream text;
   text << "chi-square " << chi_square << " against " << label(track->object) << " is above the gate of "
        << options_.gate;
+
   const auto disagrees = [&](const Sighting& other) { return !(chiSquare(other, seen) <= options_.gate); };
   if (std::any_of(track->outliers.begin(), track->outliers.end(), disagrees)) track->outliers.clear();
   if (tellsOfChange(*track, seen.base_from_camera, placesOf(track->outliers)))
     track->outliers.push_back(seen);
   track->object.misses = 0;  // something of this name is there
   track->missed_from.clear();
+
   if (int(track->outliers.size()) < options_.outliers_to_restart) {
     decision.outcome = ViewOutcome::kOutlier;
     decision.reason = text.str();
     return decision;
   }
+
   const int number = track->object.number;
   *track = started(seen, stamp);
   track->object.number = number;

@@ -23,12 +23,14 @@ void requireShare(const char* field, double value) {
 void ObjectMapOptions::check() const {
   arm.check();
   hand_eye.check();
+
   requireShare("min_probability", min_probability);
   requirePositive("floor_position", floor_position);
   requirePositive("floor_rotation", floor_rotation);
   requirePositive("gate", gate);
   requirePositive("same_place", same_place);
   require(max_distance >= 0, "max_distance", max_distance, "0 or more");
+
   require(outliers_to_restart >= 1, "outliers_to_restart", outliers_to_restart, "1 or more");
   require(min_motion >= 0, "min_motion", min_motion, "0 or more");
   require(min_turn >= 0, "min_turn", min_turn, "0 or more");
@@ -37,6 +39,7 @@ void ObjectMapOptions::check() const {
   require(known_depth >= 0, "known_depth", known_depth, "0 or more");
   require(known_sigmas >= 0, "known_sigmas", known_sigmas, "0 or more");
   require(forget_after_misses >= 1, "forget_after_misses", forget_after_misses, "1 or more");
+
   requireShare("expected_share", expected_share);
   require(expected_size >= 0, "expected_size", expected_size, "0 or more");
   require(expected_border >= 0, "expected_border", expected_border, "0 or more");

@@ -42,6 +42,7 @@ void ObjectMap::believe() {
   };
   std::stable_sort(ranked.begin(), ranked.end(),
                    [&](const Track* a, const Track* b) { return rank(a) < rank(b); });
+
   std::vector<Key> believed;
   for (Track* track : ranked) {
     const auto better =

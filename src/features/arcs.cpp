@@ -206,6 +206,7 @@ class ArcFinder::Search {
     a.trace = trace;
     a.first = arc.begin;
     a.count = arc.end - arc.begin;
+
     const EllipseFrame frame(a.ellipse);
     a.start = frame.eccentricAngle(edges_->points[arc.begin].uv.cast<double>());
     double last = a.start;
@@ -217,6 +218,7 @@ class ArcFinder::Search {
       a.sweep += wrap(now - last);
       last = now;
     }
+
     const double whole = 2 * M_PI * (1 - 1e-9);
     a.sweep = std::min(whole, std::max(-whole, a.sweep));
     return a;

@@ -46,14 +46,19 @@ class Bridges {
           if (a == b) continue;
           const PairLink pair = linkOf(edges_.points[a], edges_.points[b]);
           if (pair.order <= 0 || pair.cost >= best || !inLine(a, b)) continue;
-          best = pair.cost, from = a, to = b, skipped = j;
+          best = pair.cost;
+          from = a;
+          to = b;
+          skipped = j;
         }
     };
+
     const int x0 = std::max(0, edges_.x[i] - kReach), count = edges_.x[i] + kReach + 1 - x0;
     const int y0 = std::max(0, edges_.y[i] - kReach), y1 = std::min(edges_.rows - 1, edges_.y[i] + kReach);
     for (int y = y0; y <= y1; ++y)
       for (uint32_t left = starts_.pixels.run(x0, y, count); left; left &= left - 1)
         consider(starts_.points[size_t(starts_.pixels.point(x0 + lowestBit(left), y))]);
+
     if (from < 0) return;
     if (from != i) links_.unlink(from, i);
     if (to != skipped) links_.unlink(skipped, to);

@@ -21,13 +21,16 @@ bool collinear(const Stretch& a, const Stretch& b, const FeatureOptions& options
   const Stretch &longer = a.length >= b.length ? a : b, &shorter = a.length >= b.length ? b : a;
   const Eigen::Vector2d &d = longer.direction, n(-d.y(), d.x()), &m = longer.middle;
   const double half = 0.5 * longer.length;
+
   double t0 = d.dot(shorter.p - m), t1 = d.dot(shorter.q - m);
   if (t0 > t1) std::swap(t0, t1);
   *gap = t0 > 0 ? t0 - half : -half - t1;
   const double whole = std::max(half, t1) - std::min(-half, t0);
   if (*gap < -2.0 || *gap > options.join_gap_ratio * whole) return false;
+
   const double cross = std::fabs(d.x() * shorter.direction.y() - d.y() * shorter.direction.x());
   if (!(cross < std::max(0.05, std::min(0.2, 4 * shorter.sigma_angle)))) return false;
+
   const double most_aside = options.split_tolerance + 0.5;
   for (const Eigen::Vector2d& end : {shorter.p, shorter.q}) {
     const double along = d.dot(end - m), aside = std::fabs(n.dot(end - m));

@@ -55,6 +55,7 @@ int findMaxima(const float* above, const float* here, const float* below, const 
     if (n == kRun)
       for (int k = 0; k < kRun; ++k) any |= here[x0 + k] >= threshold;
     if (n == kRun && !any) continue;
+
     uint8_t maximum[kRun] = {};
     const auto test = [&](int k) MONOCULAR_EYE_HAND_LAMBDA {
       const int x = x0 + k;
@@ -75,6 +76,7 @@ int findMaxima(const float* above, const float* here, const float* below, const 
       for (int k = 0; k < kRun; ++k) test(k);
     else
       for (int k = 0; k < n; ++k) test(k);
+
     for (int k = from - x0; k < n; ++k) {
       found[count] = int16_t(x0 + k);
       count += maximum[k];
@@ -120,6 +122,7 @@ class EdgeDetector::Scan {
     edges.threshold = std::max(options_.gradient_threshold, options_.noise_factor * edges.gradient_noise);
     edges.correlation_length = kernel_.correlation_length;
     difference_noise_ = float(noise * kernel_.difference_gain);
+
     edges.pixels.reset(grey.cols, grey.rows);
     const size_t expected = grey.total() / 4;  // what is not written costs nothing
     edges.points.clear();
@@ -147,6 +150,7 @@ class EdgeDetector::Scan {
     const float delta =
         0.5f * (along.behind - along.ahead) / second;  // in steps along the axis of the larger part
     const float step2 = along.step_x * along.step_x + along.step_y * along.step_y;
+
     // The axis of the step points along +gradient only when the larger component is positive; delta is signed
     // along the axis, so it is right either way.
     EdgePoint p;
@@ -155,6 +159,7 @@ class EdgeDetector::Scan {
     p.gradient = m;
     p.sigma = difference_noise_ * std::sqrt(step2) / -second;
     p.blur = std::sqrt(profileVariance(second, m) * step2);
+
     edges_->pixels.add(x, y, int32_t(edges_->points.size()));
     edges_->points.push_back(p);
     edges_->x.push_back(int16_t(x));

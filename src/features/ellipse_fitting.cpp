@@ -130,9 +130,11 @@ EllipseFit fitEllipseDirect(const FitPoints& points) {
   if (!(s.scale > 1e-6)) return fit;
   const Eigen::Matrix3d t = -s.linear.inverse() * s.mixed.transpose();
   if (!t.allFinite()) return fit;
+
   const Eigen::Matrix3d m = s.quadratic + s.mixed * t;
   Eigen::Matrix3d reduced;  // inverse of the constraint matrix times m
   reduced << m.row(2) / 2, -m.row(1), m.row(0) / 2;
+
   for (const double eigenvalue : realEigenvalues(reduced)) {
     const Eigen::Vector3d a = nullVector(reduced - eigenvalue * Eigen::Matrix3d::Identity());
     if (!(4 * a[0] * a[2] - a[1] * a[1] > 0)) continue;
@@ -156,6 +158,7 @@ EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iter
   fit.ellipse = start;
   const int n = points.count();
   if (n < 6) return fit;
+
   EllipseNormalEquations equations;
   Vector5d step;
   Ellipse trial = start;
@@ -186,6 +189,7 @@ EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iter
     }
     if (it < iterations && !moved(fit.ellipse, step, reach, &trial)) return fit;
   }
+
   fit.information = equations.h;
   stabilize(&fit.information);
   fit.valid = std::isfinite(fit.ellipse.a) && Cholesky5(fit.information).positive();

@@ -24,7 +24,8 @@ struct UnitCircle {  // the middles of equal steps
   UnitCircle() {
     for (int b = 0; b < kBins; ++b) {
       const double t = 2 * M_PI * (b + 0.5) / kBins;
-      cosine[b] = std::cos(t), sine[b] = std::sin(t);
+      cosine[b] = std::cos(t);
+      sine[b] = std::sin(t);
     }
   }
 };
@@ -123,6 +124,7 @@ class ArcJoiner::Joining {
     group_.assign(1, seed);
     GroupFit fit = fitGroup(arc(seed).ellipse);
     if (!fits(fit)) return;
+
     const bool bright = brightInside(fit.ellipse, seed);
     int tries = 0;
     for (bool changed = true; changed && tries < kMaxJointFits;) {
@@ -133,6 +135,7 @@ class ArcJoiner::Joining {
         if (take(i, bright, &fit)) changed = true;
       }
     }
+
     DetectedEllipse ellipse;
     if (!describe(fit, bright, &ellipse)) return;
     for (int i : group_) used_[i] = 1;
@@ -188,6 +191,7 @@ class ArcJoiner::Joining {
         for (int b = from; b <= to; ++b) hit[((b % kBins) + kBins) % kBins] = true;
       }
     }
+
     double all = 0, covered = 0;
     for (int b = 0; b < kBins; ++b) {
       const double length = arcPerAngle(e, circle.cosine[b], circle.sine[b]);

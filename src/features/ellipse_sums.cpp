@@ -48,6 +48,7 @@ MONOCULAR_EYE_HAND_INLINE void fillBlock(const double* x, const double* y, const
   const double a2 = e.a * e.a, b2 = e.b * e.b, ab = e.a * e.b;
   const double tukey = 1 / (kTukey * kTukey * robust_scale * robust_scale);
   const double most = 9 * robust_scale * robust_scale;
+
   for (int i = 0; i < n; ++i) {
     const double du = x[i] - e.u, dv = y[i] - e.v;
     const double px = e.c * du + e.s * dv, py = e.c * dv - e.s * du;  // in the ellipse's own axes
@@ -56,12 +57,14 @@ MONOCULAR_EYE_HAND_INLINE void fillBlock(const double* x, const double* y, const
     const double f = xx + yy - 1, gx = 2 * px * ia, gy = 2 * py * ib;
     const double inverse_g = 1 / std::max(1e-9, std::sqrt(gx * gx + gy * gy));
     const double nx = gx * inverse_g, ny = gy * inverse_g;
+
     // Curvature where the ray from the centre through the point meets the ellipse: a b / q^(3/2).
     const double d = std::max(1e-18, xx + yy), inverse_d = 1 / d, q = (a2 * yy + b2 * xx) * inverse_d;
     const double inward = std::min(0.5, 0.5 * blur2[i] * ab / (q * std::sqrt(q)));
     const double sampson = f * inverse_g;
     const double r = sampson + inward, chi2 = r * r * weight[i];
     const double inside = std::max(0.0, 1 - chi2 * tukey), robust = weight[i] * inside * inside;
+
     // Derivatives of both parts by the point in the ellipse's axes and by a and b.
     const double sg = 2 * sampson * inverse_g, iq = 3 * inward * inverse_d / q;
     const double rx = nx * (1 - sg * ia) - iq * px * ia * (b2 - q);
@@ -72,6 +75,7 @@ MONOCULAR_EYE_HAND_INLINE void fillBlock(const double* x, const double* y, const
         (2 * sampson * ny * ny - ny * py + inward - iq * (b2 * xx - a2 * yy + q * yy)) * inverse_b;
     const double j0 = e.s * ry - e.c * rx, j1 = -(e.s * rx + e.c * ry);
     const double j2 = ra, j3 = rb, j4 = rx * py - ry * px;
+
     block->jacobian[0][i] = j0;
     block->jacobian[1][i] = j1;
     block->jacobian[2][i] = j2;
@@ -100,6 +104,7 @@ void addUp(const FitPoints& points, const Axes& axes, double robust_scale, Sums*
     fillBlock(points.x() + from, points.y() + from, points.weight() + from, points.blur2() + from, n, axes,
               robust_scale, &block);
     for (int i = std::max(0, points.count() - from); i < n; ++i) block.residual[i] = 0;  // padding
+
     const auto& j = block.jacobian;
     const auto& w = block.weighted;
     double *h = sums->h, *g = sums->g;
@@ -131,11 +136,13 @@ void addUpPowers(const FitPoints& points, double u, double v, double inverse_sca
       y[i] = (points.y()[from + i] - v) * inverse_scale;
     }
     for (int i = std::max(0, used); i < n; ++i) x[i] = y[i] = 0;  // padding
+
     for (int i = 0; i < n; ++i) {
       xx[i] = x[i] * x[i];
       xy[i] = x[i] * y[i];
       yy[i] = y[i] * y[i];
     }
+
     addDots<5>(xx, {xx, xy, yy, x, y}, n, {&sums->xxxx, &sums->xxxy, &sums->xxyy, &sums->xxx, &sums->xxy});
     addDots<4>(yy, {xy, yy, x, y}, n, {&sums->xyyy, &sums->yyyy, &sums->xyy, &sums->yyy});
     addDots<2>(x, {x, y}, n, {&sums->xx, &sums->xy});
@@ -149,15 +156,21 @@ ScatterMatrices scatterMatrices(const FitPoints& points) {
   const int n = points.count();
   ScatterMatrices out;
   double u = 0, v = 0, spread = 0;
-  for (int i = 0; i < n; ++i) u += points.x()[i], v += points.y()[i];
-  u /= n, v /= n;
+  for (int i = 0; i < n; ++i) {
+    u += points.x()[i];
+    v += points.y()[i];
+  }
+  u /= n;
+  v /= n;
   for (int i = 0; i < n; ++i) {
     const double du = points.x()[i] - u, dv = points.y()[i] - v;
     spread += du * du + dv * dv;
   }
+
   out.mean = {u, v};
   out.scale = std::sqrt(spread / n);
   if (!(out.scale > 0)) return out;
+
   Powers p;
   addUpPowers(points, u, v, 1 / out.scale, &p);
   out.quadratic << p.xxxx, p.xxxy, p.xxyy, p.xxxy, p.xxyy, p.xyyy, p.xxyy, p.xyyy, p.yyyy;

@@ -11,6 +11,7 @@ void FitPoints::assign(const std::vector<EdgePoint>& points, const PointRange* r
   int total = 0;
   for (size_t k = 0; k < range_count; ++k) total += ranges[k].count;
   const int stride = std::max(1, (total + max_points - 1) / max_points);
+
   count_ = 0;
   for (size_t k = 0; k < range_count; ++k)
     for (int i = (ranges[k].count % stride) / 2; i < ranges[k].count && count_ < kCapacity; i += stride) {
@@ -21,6 +22,7 @@ void FitPoints::assign(const std::vector<EdgePoint>& points, const PointRange* r
       weight_[at] = 1 / fitVariance(p);
       blur2_[at] = double(p.blur) * p.blur;
     }
+
   for (int i = count_; count_ > 0 && i < padded(); ++i) {
     const size_t at = size_t(i), last = size_t(count_ - 1);
     x_[at] = x_[last];

@@ -15,8 +15,12 @@ void LineSums::assign(const std::vector<EdgePoint>& points, int first, int count
     const EdgePoint& p = points[first + i];
     const double s = fitSigma(p), w = 1 / (s * s);
     const double x = p.uv.x() - origin_.x(), y = p.uv.y() - origin_.y();
-    m.w += w, m.x += w * x, m.y += w * y;
-    m.xx += w * x * x, m.xy += w * x * y, m.yy += w * y * y;
+    m.w += w;
+    m.x += w * x;
+    m.y += w * y;
+    m.xx += w * x * x;
+    m.xy += w * x * y;
+    m.yy += w * y * y;
     sums_[size_t(i) + 1] = m;
   }
 }

@@ -57,6 +57,7 @@ class SegmentJoiner::Joining {
       if (s.length() > plain[longest].length()) longest = i;
     }
     mean /= w;
+
     for (int i = first; i >= 0; i = next_[i]) {
       const LineSegment& s = plain[i];
       const double wi = 1 / (s.sigma_offset * s.sigma_offset);
@@ -70,6 +71,7 @@ class SegmentJoiner::Joining {
     Eigen::Vector2d d(std::cos(angle), std::sin(angle));
     const LineSegment& main = plain[longest];
     if (d.dot(main.direction()) < 0) d = -d;
+
     LineSegment out = main;
     constexpr double kFar = 1e18;  // px: beyond every place
     double low = kFar, high = -kFar, contrast = 0, length = 0;
@@ -77,12 +79,19 @@ class SegmentJoiner::Joining {
       const LineSegment& s = plain[i];
       for (int end = 0; end < 2; ++end) {
         const double t = d.dot((end == 0 ? s.p : s.q) - mean), sigma = end == 0 ? s.sigma_p : s.sigma_q;
-        if (t < low) low = t, out.sigma_p = sigma;
-        if (t > high) high = t, out.sigma_q = sigma;
+        if (t < low) {
+          low = t;
+          out.sigma_p = sigma;
+        }
+        if (t > high) {
+          high = t;
+          out.sigma_q = sigma;
+        }
       }
       contrast += s.contrast * s.length();
       length += s.length();
     }
+
     out.p = mean + low * d;
     out.q = mean + high * d;
     const double spread = 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);

@@ -68,6 +68,7 @@ class SegmentFinder::Search {
     polygons_ = polygons;
     out_ = out;
     out->clear();
+
     size_t next = 0;  // first taken range that may touch the trace
     for (int t = 0; t < int(edges.traces.size()); ++t) {
       const EdgeTrace& trace = edges.traces[t];

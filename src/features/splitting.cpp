@@ -18,7 +18,10 @@ std::pair<int, double> farthest(const std::vector<EdgePoint>& points, int begin,
   for (int i = begin + 1; i < last; ++i) {
     const Eigen::Vector2f d = points[i].uv - a;
     const float distance = point_like ? d.norm() : std::fabs(n.dot(d));
-    if (distance > most) most = distance, best = i;
+    if (distance > most) {
+      most = distance;
+      best = i;
+    }
   }
   return {best, most};
 }
@@ -39,7 +42,10 @@ int bestBreak(const LineSums& sums, int begin, int b, int end) {
   double least = sums.chi2(begin, b) + sums.chi2(b, end);
   for (int k = std::max(begin + kShortest, b - kReach); k <= std::min(end - kShortest, b + kReach); ++k) {
     const double cost = sums.chi2(begin, k) + sums.chi2(k, end);
-    if (cost < least) least = cost, best = k;
+    if (cost < least) {
+      least = cost;
+      best = k;
+    }
   }
   return best;
 }
@@ -71,6 +77,7 @@ void PolygonSplitter::split(const std::vector<EdgePoint>& points, const LineSums
     }
   }
   breaks.back() = range.first + range.count;
+
   // A break is looked at again when it or one beside it has moved.
   moved_.assign(breaks.size(), 0);
   for (size_t i = 1; i + 1 < breaks.size(); ++i) {
@@ -78,6 +85,7 @@ void PolygonSplitter::split(const std::vector<EdgePoint>& points, const LineSums
     moved_[i] = best != breaks[i];
     breaks[i] = best;
   }
+
   bool moved_before = false;
   for (size_t i = 1; i + 1 < breaks.size(); ++i) {
     if (!moved_before && !moved_[i] && !moved_[i + 1]) continue;
@@ -112,6 +120,7 @@ void PolygonSplitter::merge(const std::vector<EdgePoint>& points, const LineSums
   const double break_cost = 2 * 18 * correlation_length;
   constexpr double kUnseenRms2 = 0.25 * 0.25;  // px^2: a bend that no use of the line would notice
   constexpr double kNever = -1;
+
   // Gain of removing break i, kNever when it must stay.
   const auto gainAt = [&](size_t i) {
     const int begin = (*breaks)[i - 1], middle = (*breaks)[i], end = (*breaks)[i + 1];
@@ -125,6 +134,7 @@ void PolygonSplitter::merge(const std::vector<EdgePoint>& points, const LineSums
                                            first_shorter ? middle : end);
     return most > tolerance ? kNever : std::max(0.0, 1e6 - rise);
   };
+
   gains_.assign(breaks->size(), kNever);
   for (size_t i = 1; i + 1 < breaks->size(); ++i) gains_[i] = gainAt(i);
   while (breaks->size() > 2) {

@@ -22,6 +22,7 @@ class Undistorter {
     Eigen::Vector2d p = follow ? Eigen::Vector2d(last_rect_ + last_inverse_ * (uv_raw - last_raw_)) : uv_raw;
     // Far out an equidistant lens is so curved that Newton's method needs a near start.
     if (c_.model == DistortionModel::kEquidistant && !follow) p = c_.undistort(uv_raw);
+
     for (int i = 0; i < 20; ++i) {
       const Distorted at = distort(p);
       const double det = at.jacobian.determinant();
@@ -115,6 +116,7 @@ void undistortEdges(const LinkedEdges& raw, const Camera& camera, int min_trace_
   out->traces.clear();
   out->points.reserve(raw.points.size());
   out->traces.reserve(raw.traces.size());
+
   Undistorter undistorter(camera);
   for (const EdgeTrace& trace : raw.traces) {
     EdgeTrace now{int(out->points.size()), 0, trace.closed};
@@ -126,6 +128,7 @@ void undistortEdges(const LinkedEdges& raw, const Camera& camera, int min_trace_
         out->points.resize(now.first);
       now = {int(out->points.size()), 0, false};
     };
+
     bool follow = false;
     for (int i = trace.first; i < trace.first + trace.count; ++i) {
       Eigen::Vector2d uv_rect;

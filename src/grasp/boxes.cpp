@@ -67,8 +67,10 @@ bool overlap(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& a, const Eig
     const double reach = half.dot(axis.cwiseAbs());
     return std::min({p0, p1, p2}) >= reach || std::max({p0, p1, p2}) <= -reach;
   };
+
   for (int k = 0; k < 3; ++k)
     if (separates(Eigen::Vector3d::Unit(k))) return false;
+
   const Eigen::Vector3d edges[3] = {v[1] - v[0], v[2] - v[1], v[0] - v[2]};
   const Eigen::Vector3d normal = edges[0].cross(edges[1]);
   if (normal.squaredNorm() > 0 && separates(normal)) return false;

@@ -19,6 +19,7 @@ ClearanceNeed clearanceNeed(const Rigid3& base_from_object, const Matrix6d& held
   const Matrix6d motion = motionInAxes(base_from_tcp.rotation.transpose()) *
                           motionAtOffset(base_from_tcp.translation - base_from_object.translation);
   const Matrix6d at_hand = carried(motion, held);
+
   ClearanceNeed need;
   double largest = 0;
   for (const double x : {-0.5, 0.5}) {
@@ -31,6 +32,7 @@ ClearanceNeed clearanceNeed(const Rigid3& base_from_object, const Matrix6d& held
   need.closing = options.sigmas * std::sqrt(largest) + options.min_clearance;
   need.across = options.sigmas * std::sqrt(std::max(0.0, at_hand(0, 0)));
   need.along = options.sigmas * std::sqrt(std::max(0.0, at_hand(2, 2)));
+
   const double free = (gripper.opening_max - width) / 2;
   const auto refuse = [&](double wanted, double there, const char* where, const char* whose) {
     if (wanted - there <= need.shortfall) return;

@@ -23,6 +23,7 @@ PadContact padContact(const ObjectModel& model, const GripperOptions& gripper, c
   const double start = gripper.opening_max / 2 + gripper.compliance;
   int touching = 0;
   double cosines = 0;
+
   for (int i = 0; i < kAcross; ++i) {
     for (int k = 0; k < kAlong; ++k) {
       const double x = gripper.pad_width * ((i + 0.5) / kAcross - 0.5),
@@ -43,6 +44,7 @@ PadContact padContact(const ObjectModel& model, const GripperOptions& gripper, c
       }
     }
   }
+
   if (touching == 0) return {};
   return {double(touching) / (kAcross * kAlong), cosines / touching};
 }

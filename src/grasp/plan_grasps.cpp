@@ -81,6 +81,7 @@ class Planner {
       return refuse(GraspRefusal::kFromBelow, tilt,
                     "the approach is tilted by " + rounded(tilt * 180 / M_PI) + " degrees, more than " +
                         rounded(options_.max_tilt * 180 / M_PI));
+
     const ClearanceNeed need =
         clearanceNeed(object_.base_from_object, held_, c.base_from_grasp, c.part_width, gripper_, options_);
     const double wanted = std::max(need.closing, options_.preferred_clearance);
@@ -90,6 +91,7 @@ class Planner {
     if (!aboveTable(c)) return;
     if (!need.refusal.empty()) return refuse(GraspRefusal::kClearance, need.shortfall, need.refusal);
     if (!clear(c, need, object_from_tcp)) return;
+
     c.base_from_pregrasp = c.base_from_lift = c.base_from_grasp;
     c.base_from_pregrasp.translation -= options_.approach_distance * c.approach;
     c.base_from_lift.translation.z() += options_.lift_distance;
@@ -97,6 +99,7 @@ class Planner {
         findPostures(arm_, c.base_from_pregrasp * tcp_from_tool0_, c.base_from_grasp * tcp_from_tool0_,
                      c.base_from_lift * tcp_from_tool0_, current_, options_);
     if (postures.postures.empty()) return refuse(postures.refusal, 0, postures.reason);
+
     // Room counts until there is as much again as is needed.
     const double room = std::min(1.0, c.free / std::max(1e-9, 2 * c.needed));
     // Closing along the table the pads slide the part to their middle; across it the table holds it off.
@@ -120,12 +123,14 @@ class Planner {
     std::stable_sort(candidates_.begin(), candidates_.end(), better);
     plan.candidates = variedFirst(candidates_, options_.most);
     std::stable_sort(plan.candidates.begin(), plan.candidates.end(), better);
+
     int all = 0;
     for (int k = 0; k < kRules; ++k) {
       if (counts_[size_t(k)] == 0) continue;
       plan.refusals.push_back({GraspRefusal(k), counts_[size_t(k)], examples_[size_t(k)]});
       all += counts_[size_t(k)];
     }
+
     if (!plan.candidates.empty()) return plan;
     std::ostringstream out;
     out << object_.model->name << ": of " << all << " grasps";
@@ -139,7 +144,10 @@ class Planner {
  private:
   void refuse(GraspRefusal rule, double miss, const std::string& example) {
     ++counts_[size_t(rule)];
-    if (miss < miss_[size_t(rule)]) miss_[size_t(rule)] = miss, examples_[size_t(rule)] = example;
+    if (miss < miss_[size_t(rule)]) {
+      miss_[size_t(rule)] = miss;
+      examples_[size_t(rule)] = example;
+    }
   }
 
   bool aboveTable(const GraspCandidate& c) {
@@ -172,6 +180,7 @@ class Planner {
       }
       return false;
     }
+
     const Boxes wide = grown(swept, Eigen::Vector3d::Constant(options_.obstacle_clearance));
     const Rigid3 tcp_from_base = c.base_from_grasp.inverse();
     for (const GraspObstacle& obstacle : scene_.obstacles) {
@@ -223,6 +232,7 @@ std::vector<GraspCandidate> variedFirst(const std::vector<GraspCandidate>& candi
     used[k] = 1;
     taken.push_back(c);
   }
+
   for (size_t k = 0; k < candidates.size() && int(taken.size()) < count; ++k)
     if (!used[k]) taken.push_back(candidates[k]);
   return taken;
@@ -242,17 +252,20 @@ GraspPlan planGrasps(const GraspObject& object, const ModelGrasps& grasps, const
     if (!obstacle.model) throw BadInput("planGrasps: an obstacle has no model");
     requireRigid(obstacle.base_from_object, "base_from_object of an obstacle");
   }
+
   if (grasps.grasps.empty()) {
     GraspPlan none;
     none.reason = grasps.reason.empty() ? object.model->name + ": no grasps are known" : grasps.reason;
     return none;
   }
+
   const auto planned = [&](const GraspObject& placed) {
     Planner planner(placed, scene, gripper, arm, tool0_from_tcp, current, options);
     planner.tryAll(grasps);
     return planner.finish();
   };
   GraspPlan plan = planned(object);
+
   const auto uncertain = [](const RefusalCount& r) { return r.refusal == GraspRefusal::kClearance; };
   if (plan.candidates.empty() && std::any_of(plan.refusals.begin(), plan.refusals.end(), uncertain)) {
     GraspObject certain = object;

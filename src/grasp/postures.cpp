@@ -33,6 +33,7 @@ Postures findPostures(const Puma560& arm, const Rigid3& pregrasp, const Rigid3& 
     result.reason = "the grasp is out of the arm's reach or limits";
     return result;
   }
+
   arm.inverse(pregrasp, current, &at_pregrasp);
   arm.inverse(lift, current, &at_lift);
   if (at_pregrasp.empty() || at_lift.empty()) {
@@ -40,6 +41,7 @@ Postures findPostures(const Puma560& arm, const Rigid3& pregrasp, const Rigid3& 
                     " is out of the arm's reach or limits";
     return result;
   }
+
   result.reason = "no posture reaches pre-grasp, grasp and lift alike";
   std::vector<Posture> found;
   for (const ArmSolution& g : at_grasp) {
@@ -58,6 +60,7 @@ Postures findPostures(const Puma560& arm, const Rigid3& pregrasp, const Rigid3& 
     }
     found.push_back({g.branch, p->joints, g.joints, l->joints, farthest(p->joints, current)});
   }
+
   std::stable_sort(found.begin(), found.end(),
                    [](const Posture& a, const Posture& b) { return a.travel < b.travel - 1e-9; });
   for (const Posture& posture : found) {

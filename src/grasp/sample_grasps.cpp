@@ -54,7 +54,10 @@ Eigen::Vector3d mainDirection(const ObjectModel& model, int surface) {
   for (const ModelEdge& edge : model.edges) {
     const Eigen::Vector3d d = edge.q - edge.p;
     if (edge.surface[0] != surface && edge.surface[1] != surface) continue;
-    if (d.norm() > longest + 1e-9) longest = d.norm(), best = d.normalized();
+    if (d.norm() > longest + 1e-9) {
+      longest = d.norm();
+      best = d.normalized();
+    }
   }
   return (best - normal * normal.dot(best)).normalized();
 }
@@ -72,6 +75,7 @@ std::vector<Site> facePairs(const ObjectModel& model, const GripperOptions& grip
       if (width < std::max(gripper.opening_min, 2 * gripper.compliance) ||
           width + 2 * options.margin > gripper.opening_max)
         continue;
+
       const Eigen::Vector3d u = mainDirection(model, int(a)), v = n.cross(u);
       const Eigen::AlignedBox2d box =
           extentOf(model, first, u, v).intersection(extentOf(model, second, u, v));
@@ -79,6 +83,7 @@ std::vector<Site> facePairs(const ObjectModel& model, const GripperOptions& grip
       const double middle = n.dot(first.point) - width / 2;
       const bool round =
           model.symmetries.axis && std::abs(model.symmetries.axis->direction.dot(n)) > 1 - 1e-6;
+
       for (int k = 0; k < (round ? 1 : options.directions); ++k) {
         const double angle = 2 * M_PI * k / options.directions;
         Site site;
@@ -112,10 +117,12 @@ std::vector<Site> cylinders(const ObjectModel& model, const GripperOptions& grip
     if (width < std::max(gripper.opening_min, 2 * gripper.compliance) ||
         width + 2 * options.margin > gripper.opening_max)
       continue;
+
     const bool round = model.symmetries.axis &&
                        std::abs(model.symmetries.axis->direction.dot(s.axis)) > 1 - 1e-6 &&
                        (model.symmetries.axis->point - s.point).cross(s.axis).norm() < 1e-6;
     const Eigen::Vector3d u = s.axis.unitOrthogonal(), v = s.axis.cross(u);
+
     Site site;
     site.width = width;
     site.source = "cylinder " + std::to_string(c);
@@ -123,6 +130,7 @@ std::vector<Site> cylinders(const ObjectModel& model, const GripperOptions& grip
     const double reach = s.half_length + gripper.pad_length / 2;
     for (const double t : spread(-reach, reach, options.step / 2))
       site.places.push_back(s.point + t * s.axis);
+
     for (int k = 0; k < (round ? 1 : options.directions); ++k) {
       const double angle = 2 * M_PI * k / options.directions;
       const Eigen::Vector3d across = std::cos(angle) * u + std::sin(angle) * v;
@@ -188,6 +196,7 @@ std::vector<ModelGrasp> distinct(const std::vector<ModelGrasp>& grasps, const Ob
   half_turn.rotation.diagonal() << -1, -1, 1;
   std::vector<ModelGrasp> kept;
   std::vector<Rigid3> known;  // every symmetric form of those
+
   for (const ModelGrasp& grasp : grasps) {
     if (kept.size() == most) break;
     const bool old = std::any_of(known.begin(), known.end(), [&](const Rigid3& other) {
@@ -275,6 +284,7 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
     return result;
   }
   if (object.handling.grasps.empty()) return sampleGrasps(model, gripper, options);
+
   gripper.check();
   options.check();
   const Eigen::Vector3d centre_of_mass = centreOfMass(model);
@@ -289,6 +299,7 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
       result.reason += text.str();
       continue;
     }
+
     for (int turn = 0; turn < given.turns; ++turn) {
       ModelGrasp grasp;
       grasp.object_from_tcp = turnAbout(given.axis, 2 * M_PI * turn / given.turns) * given.object_from_tcp;
@@ -307,6 +318,7 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
       }
     }
   }
+
   std::stable_sort(result.grasps.begin(), result.grasps.end(), better);
   return result;
 }

@@ -70,6 +70,7 @@ void GroupingOptions::check() const {
   require(min_corner_angle > 0 && min_corner_angle < 1.5, "min_corner_angle", min_corner_angle,
           "must be in (0, 1.5) rad");
   require(max_corners_per_end >= 1, "max_corners_per_end", max_corners_per_end, "must be at least 1");
+
   require(parallel_angle > 0 && parallel_angle < 0.8, "parallel_angle", parallel_angle,
           "must be in (0, 0.8) rad");
   require(parallel_overlap > 0 && parallel_overlap <= 1, "parallel_overlap", parallel_overlap,
@@ -77,10 +78,12 @@ void GroupingOptions::check() const {
   require(parallel_distance_ratio > 0 && std::isfinite(parallel_distance_ratio), "parallel_distance_ratio",
           parallel_distance_ratio, "must be positive");
   require(max_pairs_per_feature >= 1, "max_pairs_per_feature", max_pairs_per_feature, "must be at least 1");
+
   require(ellipse_axis_tolerance > 0 && ellipse_axis_tolerance < 1, "ellipse_axis_tolerance",
           ellipse_axis_tolerance, "must be in (0, 1)");
   require(ellipse_reach >= 1 && std::isfinite(ellipse_reach), "ellipse_reach", ellipse_reach,
           "must be at least 1");
+
   require(border_margin >= 0 && std::isfinite(border_margin), "border_margin", border_margin,
           "must not be negative");
   require(free_end_sigma > 0 && free_end_sigma < kCutOffSigma, "free_end_sigma", free_end_sigma,

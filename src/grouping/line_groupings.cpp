@@ -26,6 +26,7 @@ std::pair<Eigen::Vector2d, double> endOf(const ImageContext& c, const EndMap& ma
   const double half = 0.5 * s.length();
   const double across2 = s.sigma_offset * s.sigma_offset + half * half * s.sigma_angle * s.sigma_angle;
   double along = end % 2 ? s.sigma_q : s.sigma_p;
+
   switch (map.state[end]) {
     case EndState::kBorder:
     case EndState::kContinued:
@@ -87,6 +88,7 @@ Meeting meetingOf(const ImageContext& c, const std::array<int, 3>& ends) {
     normal += weight[i] * n[i] * n[i].transpose();
     right += weight[i] * n[i] * n[i].dot(e[i]);
   }
+
   Meeting m;
   const Eigen::Matrix2d covariance = normal.inverse();
   m.p = covariance * right;
@@ -111,6 +113,7 @@ void addTriplet(const ImageContext& c, const EndMap& map, std::array<int, 3> end
   };
   std::sort(ends.begin(), ends.end(),
             [&](int a, int b) { return std::make_pair(angleOf(a), a) < std::make_pair(angleOf(b), b); });
+
   Grouping g;
   g.kind = GroupingKind::kTriplet;
   g.shape = tripletShape({angleOf(ends[0]), angleOf(ends[1]), angleOf(ends[2])});
@@ -120,6 +123,7 @@ void addTriplet(const ImageContext& c, const EndMap& map, std::array<int, 3> end
     g.segments.push_back(end / 2);
     addEnd(c, map, end ^ 1, &g);
   }
+
   g.weight = closedWeight(weight * std::exp(-0.5 * meeting.chi2));
   if (g.shape == GroupingShape::kT) g.weight *= kTStructure;
   g.weight = clampWeight(g.weight);
@@ -171,6 +175,7 @@ std::vector<Grouping> junctionGroupings(const ImageContext& c, const EndMap& map
     addCorner(corner, &g);
     addEnd(c, map, corner.end_b ^ 1, &g);
     g.weight = corner.weight;
+
     // A stem and the line it runs into meet by occlusion more often than by structure; so do lines that go
     // on.
     for (int end : {corner.end_a, corner.end_b})
@@ -207,6 +212,7 @@ std::vector<Grouping> chainGroupings(const ImageContext& c, const EndMap& map) {
         const Corner &first = map.corners[i], &second = map.corners[j];
         const int a = otherEnd(first, 2 * s), b = otherEnd(second, 2 * s + 1);
         if (c.related(a / 2, b / 2)) continue;
+
         Grouping g;
         g.kind = GroupingKind::kChain;
         g.segments = {a / 2, s, b / 2};
@@ -214,6 +220,7 @@ std::vector<Grouping> chainGroupings(const ImageContext& c, const EndMap& map) {
         addCorner(first, &g);
         addCorner(second, &g);
         addEnd(c, map, b ^ 1, &g);
+
         const Eigen::Vector2d shared = second.p - first.p;
         const double side_a = cross(shared, g.points[0] - first.p);
         const double side_b = cross(shared, g.points[3] - second.p);
@@ -241,6 +248,7 @@ std::vector<Grouping> openQuadGroupings(const std::vector<Grouping>& chains) {
     if (chain.sigma[0] >= kCutOffSigma || chain.sigma[3] >= kCutOffSigma) continue;
     const int sense = turningSense(chain.points[0], chain.points[1], chain.points[2], chain.points[3]);
     if (sense == 0) continue;
+
     Grouping g = chain;
     g.kind = GroupingKind::kQuad;
     g.shape = GroupingShape::kOpen;
@@ -282,6 +290,7 @@ void addClosedQuad(const ImageContext& c, const std::array<int, 4>& segments,
 std::vector<Grouping> closedQuadGroupings(const ImageContext& c, const EndMap& map) {
   std::vector<Grouping> result;
   const int count = int(c.features.segments.size());
+
   // Every ring once: s has the smallest number, and its p comes before its q.
   for (int s = 0; s < count; ++s)
     for (int i : map.corners_of_end[2 * s + 1])

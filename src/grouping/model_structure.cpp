@@ -87,6 +87,7 @@ Groupings triplets(const EdgeGraph& g) {
           // Three directions in one plane fix no pose as a corner; two in line look like an edge with a stem.
           if (!g.bends(ends[0], ends[1]) || !g.bends(ends[1], ends[2]) || !g.bends(ends[0], ends[2]))
             continue;
+
           ModelGrouping m;
           m.kind = GroupingKind::kTriplet;
           Eigen::Vector3d outside;
@@ -185,6 +186,7 @@ void addQuad(const EdgeGraph& g, const std::array<int, 4>& leaving, Groupings* o
   }
   Eigen::Vector3d normal;
   if (!convexRing(m.points, &normal)) return;
+
   const int surface = commonPlane(g.model, m.edges);
   if (surface >= 0 && seenFromOneSide(g.model, m.edges, surface)) {
     m.oriented = true;
@@ -256,12 +258,14 @@ Groupings circleGroupings(const EdgeGraph& g) {
     m.kind = GroupingKind::kEllipse;
     m.circles = {a};
     single.push_back(m);
+
     m.kind = GroupingKind::kEllipsePair;
     for (int b = a + 1; b < circles && pair.size() < kMostPerKind; ++b) {
       if (!coaxial(g.model, g.model.circles[a], g.model.circles[b])) continue;
       m.circles = {a, b};
       pair.push_back(m);
     }
+
     m.kind = GroupingKind::kEllipseLine;
     m.circles = {a};
     for (int e = 0; e < int(g.model.edges.size()) && line.size() < kMostPerKind; ++e) {
@@ -270,6 +274,7 @@ Groupings circleGroupings(const EdgeGraph& g) {
       line.push_back(m);
     }
   }
+
   single.insert(single.end(), pair.begin(), pair.end());
   single.insert(single.end(), line.begin(), line.end());
   return single;
@@ -319,11 +324,13 @@ Abilities abilitiesOf(const ObjectModel& model) {
   can(GroupingKind::kTriplet) = !triplets(graph).empty();
   can(GroupingKind::kQuad) = !quads(graph).empty();
   can(GroupingKind::kParallelPair) = !parallelPairs(graph).empty();
+
   for (const ModelGrouping& chain : chains(graph)) {
     can(GroupingKind::kChain) = true;
     a.u_chain |= chain.shape != GroupingShape::kZ;
     a.z_chain |= chain.shape != GroupingShape::kU;
   }
+
   for (size_t i = 0; i < model.circles.size(); ++i)
     for (size_t j = i + 1; j < model.circles.size() && !can(GroupingKind::kEllipsePair); ++j)
       can(GroupingKind::kEllipsePair) = coaxial(model, model.circles[i], model.circles[j]);

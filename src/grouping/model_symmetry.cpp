@@ -97,6 +97,7 @@ std::vector<ModelGrouping> moduloSymmetries(const EdgeGraph& graph, const std::v
     return nearest(int(graph.points.size()), std::numeric_limits<double>::infinity(),
                    [&](int i) { return (graph.points[i] - p).norm(); });
   };
+
   std::vector<ModelGrouping> kept;
   std::set<std::vector<int>> seen;
   for (const ModelGrouping& m : groupings) {
@@ -108,6 +109,7 @@ std::vector<ModelGrouping> moduloSymmetries(const EdgeGraph& graph, const std::v
     };
     const std::vector<Correspondence> orders = ordersOf(m.kind, m.oriented);
     if (seen.count(keyed(signature(m, points, orders[0], nullptr)))) continue;
+
     ModelGrouping representative = m;
     std::set<std::vector<int>> own;  // orders of this grouping that are taken
     for (const Correspondence& order : orders) {

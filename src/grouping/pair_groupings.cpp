@@ -170,6 +170,7 @@ std::vector<Grouping> ellipseLineGroupings(const ImageContext& c, const std::vec
         pairs.push_back({e, s, (1.0 - distance / reach) * ellipseWeight(ellipse) * edges[s].weight});
     }
   }
+
   std::vector<Grouping> result;
   for (const Pair& pair :
        bestOfBoth(std::move(pairs), ellipse_count, segment_count, c.options.max_pairs_per_feature)) {

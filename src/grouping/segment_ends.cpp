@@ -40,12 +40,14 @@ bool meet(const ImageContext& c, int end_a, int end_b, Corner* corner) {
   const Eigen::Vector2d da = outward(c.features, end_a), db = outward(c.features, end_b);
   const double sine = cross(da, db);
   if (std::abs(sine) < std::sin(c.options.min_corner_angle)) return false;
+
   const Eigen::Vector2d ea = endPoint(c.features, end_a), eb = endPoint(c.features, end_b);
   const double gap_a = cross(eb - ea, db) / sine;  // along da, negative when the segment runs past the corner
   const Eigen::Vector2d p = ea + gap_a * da;
   const double gap_b = (p - eb).dot(db);
   const double gap = std::max(std::abs(gap_a), std::abs(gap_b));
   if (gap > cornerLimit(c.options, std::min(a.length(), b.length()))) return false;
+
   corner->end_a = end_a;
   corner->end_b = end_b;
   corner->p = p;
@@ -90,6 +92,7 @@ void findMeetings(const ImageContext& c, EndMap* map) {
       }
     }
   }
+
   // The nearest count: a bundle of lines through one point would otherwise pair each with each.
   std::sort(going_on.begin(), going_on.end());
   const size_t most = size_t(c.options.max_corners_per_end);
@@ -112,10 +115,12 @@ void keepBestCorners(const ImageContext& c, EndMap* map) {
       std::stable_sort(list.begin(), list.end(),
                        [&](int i, int j) { return map->corners[i].weight > map->corners[j].weight; });
   };
+
   fill();
   std::vector<int> votes(map->corners.size(), 0);
   for (const std::vector<int>& list : map->corners_of_end)
     for (int k = 0; k < std::min<int>(list.size(), c.options.max_corners_per_end); ++k) ++votes[list[k]];
+
   std::vector<Corner> kept;
   for (size_t i = 0; i < map->corners.size(); ++i)
     if (votes[i] == 2) kept.push_back(map->corners[i]);

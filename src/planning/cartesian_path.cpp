@@ -24,7 +24,10 @@ const ArmSolution* inPosture(const ArmSolutions& solutions, const Branch& branch
   double least = 0;
   for (const ArmSolution& s : solutions) {
     const double distance = (s.joints - current).norm();
-    if (s.branch == branch && (!best || distance < least)) best = &s, least = distance;
+    if (s.branch == branch && (!best || distance < least)) {
+      best = &s;
+      least = distance;
+    }
   }
   return best;
 }
@@ -42,7 +45,11 @@ class Line {
     const double turn = angleBetween(from_.rotation, to_.rotation);
     const double longest =
         1 / std::max(1.0, std::ceil(std::max(length_ / options_.max_step, turn / options_.max_turn)));
-    if (length_ < 1e-12 && turn < 1e-12) return path_.outcome = CartesianOutcome::kFound, path_;
+    if (length_ < 1e-12 && turn < 1e-12) {
+      path_.outcome = CartesianOutcome::kFound;
+      return path_;
+    }
+
     double at = 0, step = longest;
     while (at < 1) {
       const double next =

@@ -48,6 +48,7 @@ CollisionArm::CollisionArm(const ArmDescription& arm)
     if (from.parent >= int(links_.size()) || from.joint > 5)
       throw BadInput("link " + from.name + ": parents come first and joints are 0 to 5");
     link.fixed = from.joint < 0 && from.finger == 0 && (from.parent < 0 || links_[from.parent].fixed);
+
     try {
       for (const ArmShape& shape : from.collision) link.solids.push_back(makeSolid(shape));
     } catch (const BadInput& e) {
@@ -56,6 +57,7 @@ CollisionArm::CollisionArm(const ArmDescription& arm)
     enclose(&link);
     links_.push_back(std::move(link));
   }
+
   findReach();
   findSelfPairs();
 }
@@ -73,6 +75,7 @@ void CollisionArm::place(const JointVector& joints, double gripper_width, std::v
       pose.translation.noalias() = parent.rotation * link.parent_from_joint.translation;
       pose.translation += parent.translation;
     }
+
     if (link.about_z) {
       const double c = std::cos(joints[link.joint]), s = std::sin(joints[link.joint]);
       const Eigen::Vector3d x = pose.rotation.col(0);
@@ -112,6 +115,7 @@ void CollisionArm::findSelfPairs() {
     body[i] = link.parent < 0 || moves ? int(i) : body[link.parent];
     if (moves && link.parent >= 0) neighbours.insert({body[link.parent], body[i]});
   }
+
   std::vector<std::pair<int, int>> pairs;
   for (int i = 0; i < int(links_.size()); ++i)
     for (int j = i + 1; j < int(links_.size()); ++j) {
@@ -120,6 +124,7 @@ void CollisionArm::findSelfPairs() {
       if (links_[i].finger != 0 && links_[j].finger != 0) continue;
       pairs.emplace_back(i, j);
     }
+
   std::vector<int> touching(pairs.size(), 0);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> angle(-M_PI, M_PI);
@@ -143,6 +148,7 @@ void CollisionArm::findSelfPairs() {
       touching[k] += hit();
     }
   }
+
   for (size_t k = 0; k < pairs.size(); ++k)
     if (touching[k] < kPostures) self_pairs_.push_back(pairs[k]);
 }

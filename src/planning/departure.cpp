@@ -96,11 +96,13 @@ std::vector<std::vector<JointVector>> waysOut(const ToolArm& arm, const JointVec
   const Rigid3 tcp = arm.baseFromTcp(start);
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ(), x = Eigen::Vector3d::UnitX(),
                         y = Eigen::Vector3d::UnitY(), back = -tcp.rotation.col(2);
+
   for (double length : lengths)
     for (const Eigen::Vector3d& direction : {up, back, x, Eigen::Vector3d(-x), y, Eigen::Vector3d(-y)}) {
       std::vector<JointVector> way = straightWay(arm, start, length * direction, options);
       if (!way.empty()) ways.push_back(std::move(way));
     }
+
   for (double turn : kTurns)
     for (int joint = 0; joint < 6; ++joint)
       for (double sign : {1.0, -1.0}) {
@@ -121,7 +123,10 @@ Departure planDeparture(const ToolArm& arm, const CollisionWorld& world, const J
   departure.end = start;
   CollisionWorld padded = world;
   departure.padding = freePadding(&padded, start, options);
-  if (departure.padding >= 0) return departure.possible = true, departure;
+  if (departure.padding >= 0) {
+    departure.possible = true;
+    return departure;
+  }
 
   const CollisionWorld bare = trueShapes(world, touching);
   if (!bare.valid(start)) {
@@ -143,6 +148,7 @@ Departure planRecovery(const ToolArm& arm, const CollisionWorld& world, const Jo
                        const TouchingPairs& touching, const PlanningOptions& options) {
   Departure departure = planDeparture(arm, world, start, touching, options);
   if (departure.possible) return departure;
+
   const CollisionWorld bare = trueShapes(world, touching);
   CollisionWorld parting = bare;
   for (int k = 0; k < kMostMet; ++k) {
@@ -150,6 +156,7 @@ Departure planRecovery(const ToolArm& arm, const CollisionWorld& world, const Jo
     if (met.first.empty()) break;
     parting.allow(met.first, met.second);
   }
+
   const PathTest test = testOfTrueShapes(parting);
   CollisionWorld padded = world;
   for (const std::vector<JointVector>& way : waysOut(arm, start, kRecoveries, options)) {
@@ -166,10 +173,12 @@ std::vector<Departure> planWithdrawals(const ToolArm& arm, const CollisionWorld&
                                        const PlanningOptions& options) {
   options.check();
   requireStart(arm, start);
+
   const CollisionWorld bare = trueShapes(world, touching);
   const PathTest test = testOfTrueShapes(bare);
   CollisionWorld padded = world;
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ(), back = -arm.baseFromTcp(start).rotation.col(2);
+
   std::vector<Departure> withdrawals;
   for (const Eigen::Vector3d& direction : {up, back})
     for (double length : kWithdrawals) {

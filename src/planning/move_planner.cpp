@@ -19,7 +19,10 @@ class Mover {
 
   MovePlan run() {
     const Departure departure = planDeparture(arm_, world_, request_.start, request_.touching, options_);
-    if (!departure.possible) return tell(MoveOutcome::kStartInCollision, departure.reason), plan_;
+    if (!departure.possible) {
+      tell(MoveOutcome::kStartInCollision, departure.reason);
+      return plan_;
+    }
     if (runFrom(departure) || plan_.outcome != MoveOutcome::kNoPath) return plan_;
     for (const Departure& withdrawal :
          planWithdrawals(arm_, world_, request_.start, request_.touching, options_))
@@ -65,6 +68,7 @@ class Mover {
         free.push_back(goal);
     }
     if (free.empty() || failed_searches_ >= kSearches) return false;
+
     PathOptions options = options_.path;
     options.budget = std::max(1, options.budget / kSearches);
     const JointPath path = planPath(arm_.arm.options().joints, at_, free, testIn(world_), options);
@@ -74,6 +78,7 @@ class Mover {
                                      " tests (budget " + std::to_string(options.budget) + ")");
       return false;
     }
+
     if ((path.points.back() - at_).norm() > kThere)
       plan_.motions.push_back(timeParameterise(arm_, path.points, testIn(world_), options_.timing));
     plan_.outcome = MoveOutcome::kPlanned;

@@ -86,15 +86,21 @@ struct Query {
 ob::SpaceInformationPtr spaceOf(const Query& query, bool exact, int* tests) {
   const auto space = std::make_shared<ob::RealVectorStateSpace>(6);
   ob::RealVectorBounds bounds(6);
-  for (int i = 0; i < 6; ++i)
-    bounds.setLow(i, query.limits[i].lower), bounds.setHigh(i, query.limits[i].upper);
+  for (int i = 0; i < 6; ++i) {
+    bounds.setLow(i, query.limits[i].lower);
+    bounds.setHigh(i, query.limits[i].upper);
+  }
   space->setBounds(bounds);
   const int seed = query.options.seed;
   space->setStateSamplerAllocator(
       [seed](const ob::StateSpace* s) { return std::make_shared<SeededSampler>(s, seed); });
+
   const auto si = std::make_shared<ob::SpaceInformation>(space);
   const JointTest& valid = query.test.valid;
-  si->setStateValidityChecker([&valid, tests](const ob::State* s) { return ++*tests, valid(jointsOf(s)); });
+  si->setStateValidityChecker([&valid, tests](const ob::State* s) {
+    ++*tests;
+    return valid(jointsOf(s));
+  });
   si->setMotionValidator(std::make_shared<Edges>(si, query.test, query.options.resolution, exact, tests));
   si->setup();
   return si;
@@ -107,23 +113,27 @@ std::vector<JointVector> search(const Query& query, bool exact, int* tests) {
   ob::ScopedState<ob::RealVectorStateSpace> state(si->getStateSpace());
   for (int i = 0; i < 6; ++i) state[i] = query.start[i];
   problem->addStartState(state);
+
   const auto goals = std::make_shared<ob::GoalStates>(si);
   for (const JointVector& goal : query.goals) {
     for (int i = 0; i < 6; ++i) state[i] = goal[i];
     goals->addState(state);
   }
   problem->setGoal(goals);
+
   og::RRTConnect planner(si);
   planner.setRange(query.options.range);
   planner
       .setNearestNeighbors<ompl::NearestNeighborsLinear>();  // GNAT picks its pivots from the global sequence
   planner.setProblemDefinition(problem);
   planner.setup();
+
   const int budget = query.options.budget;
   // A tree without room to grow spends little on tests; its rounds count too.
   int rounds = 0;
   const ob::PlannerTerminationCondition spent([&] { return *tests + ++rounds > budget; });
   if (planner.solve(spent) != ob::PlannerStatus::EXACT_SOLUTION) return {};
+
   std::vector<JointVector> points;
   for (const ob::State* s : problem->getSolutionPath()->as<og::PathGeometric>()->getStates())
     points.push_back(jointsOf(s));
@@ -163,7 +173,10 @@ JointPath planPath(const std::array<JointLimit, 6>& limits, const JointVector& s
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
 
   JointPath path;
-  const auto end = [&path](PathOutcome outcome) { return path.outcome = outcome, path; };
+  const auto end = [&path](PathOutcome outcome) {
+    path.outcome = outcome;
+    return path;
+  };
   if (!inside(limits, start)) return end(PathOutcome::kOutsideLimits);
   if (++path.tests, !test.valid(start)) return end(PathOutcome::kStartInCollision);
   std::vector<JointVector> usable;

@@ -88,11 +88,13 @@ class Planner {
       const auto solutions = solutionsByTime(arm_, drop.base_from_tcp_above, lifted, options_.candidates);
       if (solutions.empty())
         failure_.tell(PickOutcome::kDropUnreachable, "above the drop: out of reach or joint limits");
+
       for (const JointVector& above : solutions) {
         DropWay put;
         if (!dropWay(arm_, worlds_, released_[k], drop, above, options_, &put, &failure_)) continue;
         const JointPath carry = search(worlds_.carry, lifted, above, PickOutcome::kNoPathToDrop, "the drop");
         if (!carry.found()) continue;
+
         plan_.drop = int(k);
         plan_.branch = arm_.arm.branch(way.approach.back());
         compose(reach, way, carry, put);

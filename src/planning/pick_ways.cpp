@@ -49,16 +49,20 @@ PickWorlds::PickWorlds(const CollisionWorld& world, const PickRequest& request, 
     : reach(world), approach(world), lift(world), carry(world) {
   const PickTarget& target = request.target;
   tcp_from_object = target.base_from_grasp.inverse() * world.pose(target.object);
+
   reach.setGripperWidth(target.opening);
   reach.setPadding(padding);
+
   approach.setGripperWidth(target.opening);
   approach.setPadding(near_padding);
   for (const std::string& finger : world.fingers()) approach.allow(finger, target.object);
+
   lift.setGripperWidth(target.part_width);
   lift.setPadding(near_padding);
   lift.setCarriedPadding(0);
   lift.attach(target.object, tcp_from_object);
   for (const std::string& support : request.supports) lift.allow(target.object, support);
+
   carry.setGripperWidth(target.part_width);
   carry.setPadding(padding);
   carry.setCarriedPadding(padding);
@@ -112,6 +116,7 @@ bool graspWay(const ToolArm& arm, const PickWorlds& worlds, const PickTarget& ta
                   "pre-grasp: " + describe(worlds.reach.firstCollision(before)));
     return false;
   }
+
   way->before = before;
   way->approach =
       straightLine(arm, worlds.approach, before, target.base_from_grasp, options,
@@ -120,6 +125,7 @@ bool graspWay(const ToolArm& arm, const PickWorlds& worlds, const PickTarget& ta
   way->lift = straightLine(arm, worlds.lift, way->approach.back(), target.base_from_lift, options,
                            PickOutcome::kGraspUnreachable, PickOutcome::kLiftBlocked, "lift", failure);
   if (way->lift.empty()) return false;
+
   if (worlds.carry.valid(way->lift.back())) return true;
   failure->tell(PickOutcome::kLiftBlocked,
                 "end of the lift: " + describe(worlds.carry.firstCollision(way->lift.back())));

@@ -124,6 +124,7 @@ PickPlan planPlace(const ToolArm& arm, const CollisionWorld& world, const PlaceR
                    const PlanningOptions& options) {
   options.check();
   requireRequest(world, arm, request);
+
   const Rigid3 base_from_tcp = arm.baseFromTcp(request.start);
   CollisionWorld held = world;
   held.setGripperWidth(request.part_width);
@@ -137,11 +138,13 @@ PickPlan planPlace(const ToolArm& arm, const CollisionWorld& world, const PlaceR
     plan.reason = departure.reason;
     return plan;
   }
+
   CollisionWorld standing = world;
   standing.move(request.object, base_from_tcp * request.tcp_from_object);
   const PickRequest pick = pickBefore(request, base_from_tcp);
   const PickPlan plan = Placer(arm, standing, pick, departure, options).run();
   if (plan.outcome != PickOutcome::kNoPathToDrop) return plan;
+
   for (const Departure& withdrawal : planWithdrawals(arm, held, request.start, touching, options)) {
     const PickPlan later = Placer(arm, standing, pick, withdrawal, options).run();
     if (later.planned()) return later;

@@ -51,6 +51,7 @@ void shorten(std::vector<JointVector>* points, const PathTest& test, const PathO
                  v = double(random() >> 11) / 9007199254740992.0;
     const PathPoint a = along(*points, length * std::min(u, v)), b = along(*points, length * std::max(u, v));
     if (a.edge == b.edge) continue;
+
     double old = (b.joints - (*points)[b.edge]).norm();
     old += ((*points)[a.edge + 1] - a.joints).norm();
     for (size_t k = a.edge + 1; k < b.edge; ++k) old += ((*points)[k + 1] - (*points)[k]).norm();
@@ -59,6 +60,7 @@ void shorten(std::vector<JointVector>* points, const PathTest& test, const PathO
     points->erase(points->begin() + a.edge + 1, points->begin() + b.edge + 1);
     points->insert(points->begin() + a.edge + 1, {a.joints, b.joints});
   }
+
   skipCorners(points, test, options.resolution, tests);
 }
 

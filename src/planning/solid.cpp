@@ -102,10 +102,12 @@ bool overlap(const OrientedBox& a, const OrientedBox& b) {
   const Eigen::Matrix3d r = a.axes.transpose() * b.axes;
   const Eigen::Vector3d t = a.axes.transpose() * (b.centre - a.centre);
   const Eigen::Matrix3d q = r.cwiseAbs();
+
   for (int i = 0; i < 3; ++i)
     if (std::abs(t[i]) > a.half[i] + q.row(i).dot(b.half)) return false;
   for (int j = 0; j < 3; ++j)
     if (std::abs(t.dot(r.col(j))) > q.col(j).dot(a.half) + b.half[j]) return false;
+
   for (int i = 0; i < 3; ++i) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     for (int j = 0; j < 3; ++j) {
@@ -136,6 +138,7 @@ Solid makeSolid(const ArmShape& shape) {
   solid.owner_from_solid = shape.link_from_shape;
   solid.size = shape.size;
   solid.box_centre = solid.inside = Eigen::Vector3d::Zero();
+
   if (shape.kind == Kind::kMesh) {
     requireMesh(shape);
     Eigen::AlignedBox3d bounds;
@@ -149,6 +152,7 @@ Solid makeSolid(const ArmShape& shape) {
     solid.geometry = meshGeometry(*shape.mesh);
     return solid;
   }
+
   if (!shape.size.allFinite() || !(shape.size.minCoeff() > 0))
     throw BadInput("the size of a shape must be above 0 m in every direction");
   if (shape.kind == Kind::kBox) {
@@ -170,6 +174,7 @@ bool touch(const Solid& a, const Rigid3& base_from_a, double padding, const Soli
     return fcl::collide(geometry, toFcl(base_from_a), b.geometry.get(), toFcl(base_from_b), request, result) >
            0;
   };
+
   bool hit;
   if (padding > 0 && a.kind == Kind::kBox) {
     const fcl::Boxd bigger(a.size.x() + 2 * padding, a.size.y() + 2 * padding, a.size.z() + 2 * padding);

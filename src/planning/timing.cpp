@@ -166,10 +166,12 @@ class Timing {
       time_ += piece.length / v0;
       return;
     }
+
     const double a = piece.acceleration;
     const double peak = std::min(piece.speed, std::sqrt(a * piece.length + (v0 * v0 + v1 * v1) / 2));
     const double up = std::max(0.0, (peak * peak - v0 * v0) / (2 * a));
     const double down = std::max(0.0, (peak * peak - v1 * v1) / (2 * a));
+
     double s = 0;
     const auto phase = [&](double v, double acceleration, double duration, double length) {
       if (duration > 1e-9)

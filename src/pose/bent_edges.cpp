@@ -16,7 +16,11 @@ class Parabola {
  public:
   void add(double t, double h) {
     const double u = 0.5 * t * t;
-    tt_ += t * t, tu_ += t * u, uu_ += u * u, th_ += t * h, uh_ += u * h;
+    tt_ += t * t;
+    tu_ += t * u;
+    uu_ += u * u;
+    th_ += t * h;
+    uh_ += u * h;
     ++count_;
   }
   double curvature() const {

@@ -67,7 +67,10 @@ std::vector<int> bestFour(const std::vector<PointMatch>& points, const Rigid3& s
       if (contains(chosen, count, i)) continue;
       chosen[count] = i;
       const double q = quality(all, chosen, count + 1, prior);
-      if (q > best) best = q, next = i;
+      if (q > best) {
+        best = q;
+        next = i;
+      }
     }
     if (next < 0) return {};
     chosen[count] = next;
@@ -81,7 +84,11 @@ std::vector<int> bestFour(const std::vector<PointMatch>& points, const Rigid3& s
         std::array<int, 4> other = chosen;
         other[slot] = i;
         const double q = quality(all, other, 4, prior);
-        if (q > now + 1e-9) now = q, chosen = other, better = true;
+        if (q > now + 1e-9) {
+          now = q;
+          chosen = other;
+          better = true;
+        }
       }
   }
   // Four that leave a direction to the prior fix no pose.
@@ -105,6 +112,7 @@ RefinedPose poseFromBestFour(const std::vector<PointMatch>& points, const Rigid3
   RefinedPose result;
   if (start.isFinite()) result.camera_from_object = start;
   if (four.empty()) return result;
+
   Rigid3 best = start;
   double best_error = squaredError(start, camera, four);
   for (int left_out = 0; left_out < 4; ++left_out) {
@@ -118,8 +126,12 @@ RefinedPose poseFromBestFour(const std::vector<PointMatch>& points, const Rigid3
     const int i = chooseByFourthPoint(poses, four[left_out].p_in_object, camera.ray(four[left_out].uv));
     if (i < 0) continue;
     const double error = squaredError(poses.camera_from_object[i], camera, four);
-    if (error < best_error) best_error = error, best = poses.camera_from_object[i];
+    if (error < best_error) {
+      best_error = error;
+      best = poses.camera_from_object[i];
+    }
   }
+
   RefineOptions options;
   options.robust_scale = 0;
   options.max_iterations = 20;

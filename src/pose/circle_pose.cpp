@@ -20,6 +20,7 @@ void jacobiEigen(Eigen::Matrix3d m, Eigen::Matrix3d* vectors, Eigen::Vector3d* v
         const double theta = (m(q, q) - m(p, p)) / (2 * m(p, q));
         const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
         const double c = 1 / std::sqrt(t * t + 1), s = t * c, off = m(p, q);
+
         const int r = 3 - p - q;
         const double rp = m(r, p), rq = m(r, q);
         m(p, p) -= t * off;
@@ -27,6 +28,7 @@ void jacobiEigen(Eigen::Matrix3d m, Eigen::Matrix3d* vectors, Eigen::Vector3d* v
         m(p, q) = m(q, p) = 0;
         m(r, p) = m(p, r) = c * rp - s * rq;
         m(r, q) = m(q, r) = s * rp + c * rq;
+
         const Eigen::Vector3d vp = vectors->col(p), vq = vectors->col(q);
         vectors->col(p) = c * vp - s * vq;
         vectors->col(q) = s * vp + c * vq;
@@ -43,6 +45,7 @@ CirclePoses circlePoses(const Ellipse& ellipse, const Camera& camera, double rad
   if (!(ellipse.a > 0 && ellipse.b > 0 && radius > 0) || !std::isfinite(ellipse.a + radius) ||
       !ellipse.centre.allFinite() || !std::isfinite(ellipse.angle))
     return result;
+
   // The cone's rays are middle + half (cos t, sin t) on the plane z = 1, here in axes whose z is the middle
   // ray.
   const double c = std::cos(ellipse.angle), s = std::sin(ellipse.angle);
@@ -56,6 +59,7 @@ CirclePoses circlePoses(const Ellipse& ellipse, const Camera& camera, double rad
       Eigen::Quaterniond::FromTwoVectors(middle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   rays.leftCols<2>() = (turn * rays.leftCols<2>()).eval();
   rays.col(2) = Eigen::Vector3d(0, 0, middle.norm());
+
   // Q = rays^-T diag(1, 1, -1) rays^-1, the inverse by cross products
   const Eigen::Vector3d r0 = rays.col(1).cross(rays.col(2)), r1 = rays.col(2).cross(rays.col(0)),
                         r2 = rays.col(0).cross(rays.col(1));
@@ -65,6 +69,7 @@ CirclePoses circlePoses(const Ellipse& ellipse, const Camera& camera, double rad
   const double scale = 1 / (volume * volume);
   q *= scale;
   if (!q.allFinite()) return result;
+
   Eigen::Matrix3d v;
   Eigen::Vector3d l;
   jacobiEigen(q, &v, &l);
@@ -72,6 +77,7 @@ CirclePoses circlePoses(const Ellipse& ellipse, const Camera& camera, double rad
   std::sort(order, order + 3, [&](int i, int k) { return l[i] > l[k]; });
   const double l1 = l[order[0]], l2 = l[order[1]], l3 = l[order[2]];
   if (!(l2 > 0 && l3 < 0)) return result;
+
   // Safaee-Rad et al. 1992, in the closed form of Chen et al. 2004
   const double sine = std::sqrt(std::max(0.0, (l1 - l2) / (l1 - l3))),
                cosine = std::sqrt((l2 - l3) / (l1 - l3));

@@ -23,6 +23,7 @@ struct Corner {
 bool polish(const Corner& corner, Eigen::Vector3d* theta) {
   const Eigen::Matrix3d wanted = corner.edges.transpose() * corner.edges, k = corner.u.transpose() * corner.u;
   static constexpr int pairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+
   double size = 1;
   for (int iteration = 0; iteration < 12; ++iteration) {
     const Eigen::Array3d c = theta->array().cos(), s = theta->array().sin();
@@ -34,6 +35,7 @@ bool polish(const Corner& corner, Eigen::Vector3d* theta) {
       jacobian(i, a) = -s[a] * c[b] + c[a] * s[b] * k(a, b);
       jacobian(i, b) = -c[a] * s[b] + s[a] * c[b] * k(a, b);
     }
+
     const Eigen::Vector3d step = jacobian.inverse() * r;
     const double next = step.cwiseAbs().maxCoeff();
     if (!(next < 1)) return r.cwiseAbs().maxCoeff() < 1e-9;  // a double root as good as it can be found
@@ -105,8 +107,10 @@ std::vector<Eigen::Matrix3d> cornerRotations(const CornerObservation& seen,
     const Eigen::Vector3d n = corner.c.cross(corner.u.col(i + 1));
     const Eigen::Vector3d e = frame_from_object * corner.edges.col(i + 1);
     const double nx = n.dot(corner.u.col(0)), ny = n.dot(y_axis);
-    a0[i] = ny * e[2], a1[i] = nx * e[1];
-    b0[i] = ny * e[1], b1[i] = -nx * e[2];
+    a0[i] = ny * e[2];
+    a1[i] = nx * e[1];
+    b0[i] = ny * e[1];
+    b1[i] = -nx * e[2];
     c[i] = nx * e[0];
   }
   // cos phi : sin phi : 1 = s (B1 C2 - B2 C1) : s (C1 A2 - C2 A1) : (A1 B2 - A2 B1)

@@ -56,6 +56,7 @@ class Feature {
     double reach = 0;
     for (const Sample& s : samples) reach = std::max(reach, std::abs(along.dot(s.uv - mean)));
     const double scale = samples.size() < 3 || !(reach > 0) ? 0 : kTurned / reach;
+
     for (const Sample& s : samples) {
       const Eigen::Vector2d place = s.uv - mean;
       const Eigen::Vector3d basis(1, scale * along.dot(place), scale * across.dot(place));
@@ -218,6 +219,7 @@ RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera,
   refined.camera_from_object = start;
   const SamplesByFeature usable = usableSamples(start, camera, samples);
   if (usable.empty()) return refined;
+
   std::vector<Feature> features = featuresOf(usable);
   const Vector6d turn = freeTurn(start, axis);
   Estimate estimate = maximizeExpectation(turn, &features);
@@ -227,12 +229,14 @@ RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera,
       f.expectMore(kExcessShare * std::sqrt(first_spread * first_spread - kUsualSpread * kUsualSpread));
     estimate = maximizeExpectation(turn, &features);
   }
+
   const Matrix6d covariance = spread(usable, estimate.motion) / kHonestSpread * estimate.covariance +
                               shiftCovariance(camera, start.translation.z()) +
                               M_PI * M_PI / 3 * turn * turn.transpose();
   if (!estimate.motion.allFinite() || !covariance.allFinite()) return refined;
   refined.camera_from_object = perturbed(start, estimate.motion);
   refined.covariance = 0.5 * (covariance + covariance.transpose());
+
   double squares = 0;
   for (const Feature& f : features) {
     squares += f.squares(estimate.motion);

@@ -65,6 +65,7 @@ void MatchResiduals::evaluate(const Rigid3& pose) {
     row.a0 = {ax, ay, -(ax * x + ay * y)};
     row.square = row.r0 * row.r0;
   }
+
   for (const PointMatch& m : points_) {
     Row& row = rows_[k++];
     row.turned.noalias() = pose.rotation * m.p_in_object;
@@ -103,10 +104,12 @@ NormalEquations MatchResiduals::accumulate(double cut) const {
       sum.cost += cut > 0 ? most : std::numeric_limits<double>::infinity();
       continue;
     }
+
     const double v = 1 - u, w = v * v;
     sum.cost += cut > 0 ? most * (1 - w * v) : 0.5 * row.square;
     add(w, row.r0, row.a0, row.turned, h, g);
     if (!is_line) add(w, row.r1, row.a1, row.turned, h, g);
+
     const int dimension = is_line ? 1 : 2;
     const double sigma = is_line ? lines_[i].sigma : points_[i - lines_.size()].sigma;
     sum.residuals += dimension;
@@ -116,6 +119,7 @@ NormalEquations MatchResiduals::accumulate(double cut) const {
     sum.slope += dimension * w - 4 * u * v;
     sum.square_px += w * row.square * sigma * sigma;
   }
+
   int k = 0;
   for (int i = 0; i < 6; ++i) {
     sum.gradient[i] = g[i];

@@ -48,6 +48,7 @@ Rigid3 objectFromCamera(const Eigen::Matrix3d& p_in_object, const Eigen::Matrix3
     object_from_camera.translation = t;
     return object_from_camera;
   }
+
   // Figure 6: the lens lies (nearly) in the plane of the points. The two vectors run between the points
   // rather than from the lens, so that T, whose height over that plane is badly known, is not needed to find
   // R.
@@ -55,10 +56,15 @@ Rigid3 objectFromCamera(const Eigen::Matrix3d& p_in_object, const Eigen::Matrix3
   const double d12 = (p_in_object.col(0) - p_in_object.col(1)).squaredNorm(),
                d13 = (p_in_object.col(0) - p_in_object.col(2)).squaredNorm(),
                d23 = (p_in_object.col(1) - p_in_object.col(2)).squaredNorm();
-  if (d13 > d12 && d13 >= d23)
-    second = 2, third = 1;
-  else if (d23 > d12)
-    first = 1, second = 2, third = 0;
+  if (d13 > d12 && d13 >= d23) {
+    second = 2;
+    third = 1;
+  } else if (d23 > d12) {
+    first = 1;
+    second = 2;
+    third = 0;
+  }
+
   const auto vectors = [&](const Eigen::Matrix3d& p) {
     return axes(p.col(second) - p.col(first), p.col(third) - p.col(first));
   };

@@ -17,11 +17,13 @@ constexpr double kCollinear = 1e-7;
 TetrahedronLegs solveTetrahedron(const Eigen::Matrix3d& bearings, const Eigen::Vector3d& sides) {
   TetrahedronLegs result;
   if (!bearings.allFinite() || !sides.allFinite() || !(sides.minCoeff() > 0)) return result;
+
   const Eigen::Vector3d squares = sides.cwiseAbs2();
   const TriangleOrder order = longestSideFirst(squares[2], squares[1], squares[0]);
   // side opposite to point k is sides[k]
   const double a = sides[order.third], b = sides[order.second] / a,
                c = sides[order.first] / a;  // a12, a13, a23
+
   const double x = std::max(b, c), y = std::min(b, c);
   const double area16 = (1 + (x + y)) * (y - (1 - x)) * (y + (1 - x)) * (1 + (x - y));  // Kahan's Heron
   BaseTriangle triangle;
@@ -31,6 +33,7 @@ TetrahedronLegs solveTetrahedron(const Eigen::Matrix3d& bearings, const Eigen::V
   if (!(area16 > 0)) return result;
   triangle.altitude = 0.5 * std::sqrt(area16);
   if (triangle.altitude < kCollinear) return result;
+
   const Eigen::Vector3d j[3] = {bearings.col(order.first), bearings.col(order.second),
                                 bearings.col(order.third)};
   TetrahedronRoot roots[4];
@@ -94,7 +97,10 @@ int chooseByFourthPoint(const PoseSolutions& poses, const Eigen::Vector3d& fourt
   for (int i = 0; i < poses.count; ++i) {
     const Eigen::Vector3d p = poses.camera_from_object[i] * fourth_in_object;
     const double angle = std::atan2(p.cross(fourth).norm(), p.dot(fourth));
-    if (std::isfinite(angle) && (best < 0 || angle < best_error)) best = i, best_error = angle;
+    if (std::isfinite(angle) && (best < 0 || angle < best_error)) {
+      best = i;
+      best_error = angle;
+    }
   }
   if (error && best >= 0) *error = best_error;
   return best;

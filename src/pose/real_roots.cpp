@@ -21,12 +21,15 @@ double bracketed(const double* c, int degree, double low, double high, double f_
     if (x <= low || x >= high || high - low < 1e-16) return x;
     const double f = at(c, degree, x);
     if (f == 0) return x;
+
     if ((f > 0) == (f_high > 0)) {
-      high = x, f_high = f;
+      high = x;
+      f_high = f;
       if (side == 1) f_low *= 0.5;
       side = 1;
     } else {
-      low = x, f_low = f;
+      low = x;
+      f_low = f;
       if (side == -1) f_high *= 0.5;
       side = -1;
     }
@@ -38,13 +41,16 @@ double bracketed(const double* c, int degree, double low, double high, double f_
 RealRoots solve(const double* c, int degree, double low, double high) {
   RealRoots roots;
   if (degree == 0) return roots;
+
   double derivative[4] = {};
   for (int i = 1; i <= degree; ++i) derivative[i - 1] = i * c[i];
   const RealRoots extrema = solve(derivative, degree - 1, low, high);
+
   const double reach = std::max(std::abs(low), std::abs(high));
   double size = 0;
   for (int i = degree; i >= 0; --i) size = size * reach + std::abs(c[i]);
   const double touch = 1e-10 * size;  // lifted off the axis by rounding of the coefficients
+
   double x = low, f = at(c, degree, x);
   const auto keep = [&](double root) {
     if (roots.count < int(roots.at.size())) roots.at[roots.count++] = root;
@@ -56,7 +62,8 @@ RealRoots solve(const double* c, int degree, double low, double high) {
     const double f_next = at(c, degree, next);
     if (f != 0 && f_next != 0 && (f > 0) != (f_next > 0)) keep(bracketed(c, degree, x, next, f, f_next));
     if (std::abs(f_next) <= touch && next > x) keep(next);
-    x = next, f = f_next;
+    x = next;
+    f = f_next;
   }
   return roots;
 }

@@ -105,14 +105,17 @@ void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* 
   Vector6d unused = Vector6d::Zero();
   const Coordinates coordinates(pose, axis);
   coordinates.turn(&h, &unused);
+
   const int unknowns = axis.present ? 5 : 6;
   result->well_posed = fullRank(h);
   const double variance = at.variance(unknowns);
   if (variance > 0) h /= variance;
   if (axis.present) h(5, 5) = 1;
+
   Matrix6d inverse = result->well_posed ? Matrix6d(Eigen::LDLT<Matrix6d>(h).solve(Matrix6d::Identity()))
                                         : inverseWithPrior(h);
   if (variance == 0 && result->well_posed) inverse.setZero();  // exact matches
+
   if (axis.present) {
     inverse.row(5).setZero();
     inverse.col(5).setZero();
@@ -123,6 +126,7 @@ void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* 
     spin << (pose.rotation * axis.point).cross(free), free;  // perturbed() moves about the object's origin
     inverse += kFreeVariance * spin * spin.transpose();
   }
+
   if (inverse.allFinite())
     result->covariance = 0.5 * (inverse + inverse.transpose());
   else

@@ -95,6 +95,7 @@ bool splitLines(const Form& f, double (*lines)[3]) {
   const double columns[3][3] = {{adj.xx, adj.xy, adj.xw}, {adj.xy, adj.yy, adj.yw}, {adj.xw, adj.yw, adj.ww}};
   const int c = largest(std::abs(adj.xx), std::abs(adj.yy), std::abs(adj.ww));
   const double diagonal = columns[c][c];
+
   double scale = 0;  // a double line up to rounding
   if (diagonal < 0)
     scale = 1 / std::sqrt(-diagonal);
@@ -102,6 +103,7 @@ bool splitLines(const Form& f, double (*lines)[3]) {
     return false;
   const double x = scale * columns[c][0], y = scale * columns[c][1],
                w = scale * columns[c][2];  // where the lines meet
+
   // form + skew(x, y, w) = (line 1) (line 2)^T
   const double rows[3][3] = {
       {f.xx, f.xy - w, f.xw + y}, {f.xy + w, f.yy, f.yw - x}, {f.xw - y, f.yw + x, f.ww}};
@@ -110,7 +112,10 @@ bool splitLines(const Form& f, double (*lines)[3]) {
     size[r] = rows[r][0] * rows[r][0] + rows[r][1] * rows[r][1] + rows[r][2] * rows[r][2];
   const int r = largest(size[0], size[1], size[2]);
   const int k = largest(std::abs(rows[r][0]), std::abs(rows[r][1]), std::abs(rows[r][2]));
-  for (int i = 0; i < 3; ++i) lines[0][i] = rows[r][i], lines[1][i] = rows[i][k];
+  for (int i = 0; i < 3; ++i) {
+    lines[0][i] = rows[r][i];
+    lines[1][i] = rows[i][k];
+  }
   return size[r] > 0;
 }
 
@@ -126,6 +131,7 @@ Meeting meet(const Form& f, const double* line) {
   const double m[3][3] = {{f.xx, f.xy, f.xw}, {f.xy, f.yy, f.yw}, {f.xw, f.yw, f.ww}};
   const int k = largest(std::abs(line[0]), std::abs(line[1]), std::abs(line[2]));
   const int i = kNext[k][0], n = kNext[k][1];
+
   // point = s (l_k e_i - l_i e_k) + t (l_k e_n - l_n e_k)
   const double lk = line[k], li = line[i], ln = line[n];
   const double iik = lk * m[i][i] - li * m[i][k], ikk = lk * m[i][k] - li * m[k][k];
@@ -135,6 +141,7 @@ Meeting meet(const Form& f, const double* line) {
   const double discriminant = b * b - a * c;
   const double z = -(b + std::copysign(std::sqrt(std::max(0.0, discriminant)), b));
   const double s[2] = {z, c}, t[2] = {a, z};  // a s^2 + 2 b s t + c t^2 = 0
+
   Meeting result;
   for (int p = 0; p < 2; ++p) {
     result.points[p][i] = lk * s[p];
@@ -166,6 +173,7 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
     const double residual = std::max({std::abs(r1), std::abs(r2), std::abs(r3) * inverse_altitude});
     if (residual < 4e-16 * sum) return legs.minCoeff() > 0;  // a step would be made of rounding
     rounding = residual < kRounding * sum;
+
     // rows: (-q1, q2, 0), (-h1 - g q1, h2 - f q2, q3), (-g h1, -f h2, h3)
     const double b1 = -h1 - g * q1, b2 = h2 - f * q2, c1 = -g * h1, c2 = -f * h2;
     const double m1 = b2 * h3 - q3 * c2, m2 = b1 * h3 - q3 * c1;
@@ -176,6 +184,7 @@ bool polish(const Eigen::Vector3d* j, const BaseTriangle& t, TetrahedronRoot* ro
     const double d2 = (-q1 * n - r1 * m2) * inverse;
     const double d3 =
         (r1 * (b1 * c2 - b2 * c1) + r2 * (q1 * c2 + q2 * c1) - r3 * (q1 * b2 + q2 * b1)) * inverse;
+
     const double size = std::max({std::abs(d1), std::abs(d2), std::abs(d3)});
     if (!(size < 1e8 * residual)) break;     // singular: a double root is as good as it can be found
     if (step < 1e-7 && size >= step) break;  // rounding
@@ -203,6 +212,7 @@ int solveBaseTriangle(const Eigen::Vector3d* j, const BaseTriangle& triangle, Te
   const double e = std::sqrt(e2), scale = 1 / e2;
   const double E12 = e12 * scale, E13 = e13 * scale, E23 = e23 * scale, a13 = triangle.a13,
                a23 = triangle.a23;
+
   // (d_i - d_k)^2 + e_ik d_i d_k = a_ik, pairwise without the scale
   const double w12 = a23 * E12 - E23;
   const Form d1 = {a23, a23 - 1, w12, a23 * (0.5 * e12 - 1), 0.5 * e * a23 * E12, 0.5 * e * w12};
@@ -210,6 +220,7 @@ int solveBaseTriangle(const Eigen::Vector3d* j, const BaseTriangle& triangle, Te
   const double turn = 0.4;
   const Form a = combine(1, d1, turn, d2), b = combine(-turn, d1, 1, d2);
   const Form adj_a = adjugate(a), adj_b = adjugate(b);
+
   // det(s a + t b) as a cubic in the ratio of that weight to the other whose own determinant is the larger
   const double det_a = a.xx * adj_a.xx + a.xy * adj_a.xy + a.xw * adj_a.xw;
   const double det_b = b.xx * adj_b.xx + b.xy * adj_b.xy + b.xw * adj_b.xw;
@@ -223,6 +234,7 @@ int solveBaseTriangle(const Eigen::Vector3d* j, const BaseTriangle& triangle, Te
   const double monic = 1 / c3;
   const double g = isolatedRoot(c2 * monic, c1 * monic, c0 * monic);
   const double s = by_b ? 1 : g, t = by_b ? g : 1;
+
   double lines[2][3];
   if (!splitLines(combine(s, a, t, b), lines)) return 0;
   const Form other = combine(t, a, -s, b);
@@ -241,6 +253,7 @@ int solveBaseTriangle(const Eigen::Vector3d* j, const BaseTriangle& triangle, Te
       tried += int(meeting.valid[p]) & int(x * w > 0) & int(y * w > 0);
     }
   }
+
   int count = 0;
   for (int c = 0; c < tried; ++c) {
     TetrahedronRoot& root = roots[count];

@@ -56,12 +56,14 @@ std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchIma
   std::vector<ContourMatch> matches;
   const std::vector<SeenSample> contour =
       resolvedContour(model.model(), projectContour(model.model(), pose, image.camera, image.domain, step));
+
   for (const SeenSample& s : contour) {
     if (!s.inside) continue;
     const Eigen::Vector2d normal = s.normal();
     const int found = image.raster.find(s.uv, normal, range);
     if (found < 0) continue;
     const EdgePoint& point = image.raster.point(found);
+
     FeatureSample sample;
     sample.line = {s.p_in_object, point.uv.cast<double>(), normal,
                    std::hypot(s.rounding, std::max({kMinSigma, double(point.sigma), range / 3}))};
@@ -102,6 +104,7 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
   ContourOptions options;
   options.step = step * distance / focalLength(camera);
   const std::vector<ContourSample> contour = visibleContour(model, object_from_camera.translation, options);
+
   std::vector<SeenSample> seen;
   seen.reserve(contour.size());
   for (const ContourSample& s : contour) {
@@ -118,6 +121,7 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
     out.group = s.group;
     out.rounding = roundingSigma(model, s.group) * focalLength(camera) / p.z();
     out.silhouette = s.silhouette;
+
     if (s.inner_side != 0) {
       const Eigen::Vector3d across = s.tangent.cross(s.p - object_from_camera.translation);
       const Eigen::Vector3d m = pose.rotation * (double(s.inner_side) * across);
@@ -137,6 +141,7 @@ std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchIm
   const Camera& camera = image.camera;
   const FreeAxis axis = freeAxis(model.model());
   std::vector<LineMatch> matches;
+
   for (double range : ranges) {
     const std::vector<ViewSample>& samples = model.samples(view);
     const size_t count = std::min<size_t>(samples.size(), kCoarseSamples);
@@ -155,6 +160,7 @@ std::optional<ViewedPose> alignCoarsely(const SearchModel& model, const SearchIm
       if (found < 0) continue;
       matches.push_back({p_in_object, image.raster.point(found).uv.cast<double>(), normal, range / 3});
     }
+
     if (matches.size() < kMinMatches) return std::nullopt;
     RefineOptions options;
     options.max_iterations = 2;

@@ -141,12 +141,14 @@ std::vector<AnchorLevel> anchorLevels(const KnownObject& object,
     level.min_ratio = l == 0 ? 0.8 * ratio : levels.back().max_ratio;
     level.max_ratio =
         l + 1 == sphere.distances.size() ? 1e9 : 2 / (1 / ratio + model.diameter / sphere.distances[l + 1]);
+
     for (int k = 0; k < sphere.directions; ++k) {
       const int index = int(l) * sphere.directions + k;
       const SampledView& view = sphere.views[size_t(index)];
       const Eigen::Matrix3d& rotation = view_rotations[size_t(index)];
       const double step = sampleStepOf(view);
       const FlatView flat = flatten(view, rotation, model.centre(), step);
+
       std::vector<ViewRuler> rulers;
       addEdges(model, view, rotation, flat, step, &rulers);
       if (rulers.size() < kEnough) addStraightPieces(model, view, flat, step, &rulers);
@@ -158,6 +160,7 @@ std::vector<AnchorLevel> anchorLevels(const KnownObject& object,
         if (const auto anchor = makeAnchor(flat, ruler, index, model.diameter))
           level.anchors.push_back(*anchor);
     }
+
     std::stable_sort(level.anchors.begin(), level.anchors.end(),
                      [](const Anchor& p, const Anchor& q) { return p.length < q.length; });
     levels.push_back(std::move(level));

@@ -47,14 +47,17 @@ std::vector<ImageCorner> imageCorners(const std::vector<Grouping>& groupings) {
       if (s < g.segments.size() && g.segments[s] >= 0) corner.segments.push_back(g.segments[s]);
     all.push_back(corner);
   };
+
   for (const Grouping& g : groupings) {
     if (g.kind == GroupingKind::kJunction) add(g, 1, {0, 1});
     if (g.kind == GroupingKind::kTriplet) add(g, 0, {0, 1, 2});
   }
+
   std::stable_sort(all.begin(), all.end(), [](const ImageCorner& a, const ImageCorner& b) {
     return std::make_tuple(-int(a.segments.size()), a.sigma) <
            std::make_tuple(-int(b.segments.size()), b.sigma);
   });
+
   std::vector<ImageCorner> kept;
   for (ImageCorner& corner : all) {
     ImageCorner* same = nullptr;

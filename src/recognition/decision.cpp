@@ -116,6 +116,7 @@ std::vector<Explanation> chooseExplanations(const std::vector<Candidate>& candid
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return rankScore(candidates[a]) > rankScore(candidates[b]); });
+
   std::vector<Explanation> chosen;
   for (int index : order) {
     Explanation* owner = nullptr;

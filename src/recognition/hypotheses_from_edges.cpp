@@ -66,6 +66,7 @@ int flatEvidence(const Anchor& anchor, const Ruler& ruler, const EvidencePlanes&
   std::array<int, Anchor::kSamples> places;
   int sum = 0;
   int first = 0;
+
   for (size_t part = 0; part < kEnds.size(); ++part) {
     // All places first, then their values: the memory answers many at a time.
     for (int i = first; i < kEnds[part]; ++i) {
@@ -94,9 +95,11 @@ Rigid3 poseFromRuler(const SearchModel& model, const Anchor& anchor, const Ruler
   const Eigen::Vector2d centre_uv =
       p + scale * (Eigen::Rotation2Dd(roll) * Eigen::Vector2d(-anchor.a.cast<double>()));
   const Eigen::Vector3d ray = camera.ray(centre_uv).normalized();
+
   // Off the axis a small object appears magnified by 1/cos across and 1/cos^2 along the radius.
   const double focal = focalLength(camera);
   const double distance = focal / (scale * std::pow(ray.z(), 1.5));
+
   Rigid3 pose;
   pose.rotation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ray).toRotationMatrix() *
                   Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() *

@@ -139,7 +139,10 @@ Eigen::Vector3d axisThroughCentres(const Camera& camera, const Eigen::Vector3d& 
   double nearest = std::cos(kSameAxis);
   for (double sign : {1.0, -1.0}) {
     const Eigen::Vector3d candidate = ((along + sign * std::sqrt(rest)) * ray - centre) / offset;
-    if (candidate.dot(axis) > nearest) nearest = candidate.dot(axis), best = candidate.normalized();
+    if (candidate.dot(axis) > nearest) {
+      nearest = candidate.dot(axis);
+      best = candidate.normalized();
+    }
   }
   return best;
 }
@@ -204,11 +207,13 @@ void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, cons
     return image.features.ellipses[pair.seen.ellipses[i]].ellipse;
   };
   const int first = ellipse(0).a >= ellipse(1).a ? 0 : 1;
+
   const ModelCircle& circle = model.circles[pair.known.circles[pair.order.ellipses[first]]];
   const ModelCircle& other = model.circles[pair.known.circles[pair.order.ellipses[1 - first]]];
   const double offset = circle.axis.dot(other.centre - circle.centre);
   const Eigen::Vector2d seen = ellipse(1 - first).centre;
   const CirclePoses& solutions = image.unit_circles[size_t(pair.seen.ellipses[first])];
+
   for (int i = 0; i < solutions.count; ++i)
     for (double side : {1.0, -1.0}) {
       const Eigen::Vector3d centre = circle.radius * solutions.pose[i].centre;

@@ -30,7 +30,10 @@ std::array<int, 3> widestTriangle(const std::vector<Eigen::Vector2d>& p) {
       for (int k = j + 1; k < n; ++k) {
         const Eigen::Vector2d a = p[j] - p[i], b = p[k] - p[i];
         const double area = std::abs(a.x() * b.y() - a.y() * b.x());
-        if (area > largest) largest = area, best = {i, j, k};
+        if (area > largest) {
+          largest = area;
+          best = {i, j, k};
+        }
       }
   return best;
 }

@@ -16,11 +16,19 @@ RectDomain rectDomain(const Camera& camera) {
   const auto include = [&](double u, double v) {
     const Eigen::Vector2d p = camera.undistort({u, v});
     if (!p.allFinite()) return;
-    lo_u = std::min(lo_u, p.x()), hi_u = std::max(hi_u, p.x());
-    lo_v = std::min(lo_v, p.y()), hi_v = std::max(hi_v, p.y());
+    lo_u = std::min(lo_u, p.x());
+    hi_u = std::max(hi_u, p.x());
+    lo_v = std::min(lo_v, p.y());
+    hi_v = std::max(hi_v, p.y());
   };
-  for (int u = 0; u < camera.width; u += 8) include(u, 0), include(u, camera.height - 1);
-  for (int v = 0; v < camera.height; v += 8) include(0, v), include(camera.width - 1, v);
+  for (int u = 0; u < camera.width; u += 8) {
+    include(u, 0);
+    include(u, camera.height - 1);
+  }
+  for (int v = 0; v < camera.height; v += 8) {
+    include(0, v);
+    include(camera.width - 1, v);
+  }
   include(camera.width - 1, camera.height - 1);
   const double w = camera.width, h = camera.height;
 

@@ -91,6 +91,7 @@ SearchModel::SearchModel(const KnownObject& object)
     float step = float(sampleStepOf(view));
     const SampledView resolved = resolvedView(model(), view, view_rotation_.back());
     const FlatView flat = flatten(resolved, view_rotation_.back(), centre, step);
+
     std::vector<double> weight(flat.place.size());
     for (size_t i = 0; i < weight.size(); ++i) weight[i] = 1e3 + flat.place[i].norm();
     const std::vector<int> order = spreadOrder(flat.place, weight, CoarseContour::kMost);
@@ -104,6 +105,7 @@ SearchModel::SearchModel(const KnownObject& object)
     coarse_.emplace_back(samples, step);
     samples_.push_back(std::move(samples));
   }
+
   for (int i = 0; i < 8; ++i) extent_.push_back(model().bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
   buildLookup();
   buildShown();
@@ -116,6 +118,7 @@ void SearchModel::buildBoxTurns() {
   const Symmetries& symmetries = model().symmetries;
   if (symmetries.sphere) return;
   std::vector<Rigid3> known = symmetries.discrete;
+
   for (int axis = 0; axis < 3; ++axis) {
     const double a = model().bounds.sizes()[(axis + 1) % 3], b = model().bounds.sizes()[(axis + 2) % 3];
     const bool square = std::abs(a - b) < kSquare * std::max(a, b);
@@ -203,7 +206,10 @@ void SearchModel::buildLookup() {
     for (int k = 0; k < directions; ++k) {
       const Eigen::Vector3d& v = object_->views.views[k].direction;
       const double off = symmetries.axis->direction.cross(v).norm();
-      if (off > widest) widest = off, meridian_ = azimuth(*symmetries.axis, v);
+      if (off > widest) {
+        widest = off;
+        meridian_ = azimuth(*symmetries.axis, v);
+      }
     }
   }
 
@@ -221,7 +227,10 @@ void SearchModel::buildLookup() {
           cosine = std::cos(std::acos(std::clamp(a, -1.0, 1.0)) - std::acos(std::clamp(b, -1.0, 1.0)));
         }
         if (symmetries.sphere) cosine = 1 - 1e-6 * double(k + s);
-        if (cosine > best + 1e-12) best = cosine, lookup_[cell] = {int16_t(k), int16_t(s)};
+        if (cosine > best + 1e-12) {
+          best = cosine;
+          lookup_[cell] = {int16_t(k), int16_t(s)};
+        }
       }
     }
   }
@@ -294,7 +303,10 @@ Rigid3 SearchModel::canonical(const Rigid3& pose, int* view) const {
     const auto& distances = object_->views.distances;
     for (size_t i = 0; i < distances.size(); ++i) {
       const double gap = std::abs(1 / distances[i] - 1 / distance);
-      if (gap < best) best = gap, level = int(i);
+      if (gap < best) {
+        best = gap;
+        level = int(i);
+      }
     }
     *view = level * object_->views.directions + nearest.direction;
   }

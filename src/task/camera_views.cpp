@@ -76,6 +76,7 @@ std::vector<Rigid3> cameraViews(const TaskView& view, const Eigen::Vector3d& tar
   if (!target.allFinite()) throw BadInput("the point to look at is not finite");
   const Wish wish = wishOf(view, target, options);
   const Rigid3 camera_from_tool0 = tool0_from_camera.inverse();
+
   struct Ranked {
     Rigid3 base_from_camera;
     double cost;
@@ -96,6 +97,7 @@ std::vector<Rigid3> cameraViews(const TaskView& view, const Eigen::Vector3d& tar
           if (way >= 0) ranked.push_back({pose, departure + kJointWeight * way});
         }
       }
+
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
   std::vector<Rigid3> poses;

@@ -46,6 +46,7 @@ bool ClearFrameTask::step() {
     finish(TaskOutcome::kCancelled, std::string("cancelled before the stage ") + name(stage_));
     return false;
   }
+
   try {
     switch (stage_) {
       case TaskStage::kLook:
@@ -115,6 +116,7 @@ bool ClearFrameTask::look(const TaskView& view, TaskLook* seen) {
     finish(TaskOutcome::kCancelled, "cancelled while looking");
     return false;
   }
+
   if (!seen->done) {
     if (++failed_looks_ < options_.look_attempts) {
       tell("the look failed (" + seen->reason + "); again");
@@ -127,6 +129,7 @@ bool ClearFrameTask::look(const TaskView& view, TaskLook* seen) {
     }
     return false;
   }
+
   failed_looks_ = 0;
   last_look_ = seen->stamp;
   learn(*seen);
@@ -142,6 +145,7 @@ void ClearFrameTask::choose() {
   double best = -1;
   std::optional<Key> uncertain;
   std::vector<Key> blocked;
+
   for (const Key& key : waiting()) {
     Progress& progress = progress_[key];
     if (progress.set_aside == result_.rounds) {
@@ -151,7 +155,10 @@ void ClearFrameTask::choose() {
     const GraspPlan plan = world_->graspTargets(*known(key));
     if (!plan.candidates.empty()) {
       progress.blocked.clear();
-      if (plan.candidates.front().quality > best) best = plan.candidates.front().quality, chosen_ = key;
+      if (plan.candidates.front().quality > best) {
+        best = plan.candidates.front().quality;
+        chosen_ = key;
+      }
     } else {
       progress.blocked = plan.reason.empty() ? "no grasp, and no reason was given" : plan.reason;
       if (!plan.too_uncertain) {
@@ -163,6 +170,7 @@ void ClearFrameTask::choose() {
       }
     }
   }
+
   if (!chosen_) chosen_ = uncertain;
   if (chosen_) {
     tell(best >= 0 ? "a grasp of quality " + twoDigits(best)
@@ -170,6 +178,7 @@ void ClearFrameTask::choose() {
     stage_ = TaskStage::kConfirm;
     return;
   }
+
   // What blocks them may have been seen wrongly; when it stays, nothing changes any more by itself.
   for (const Key& key : blocked)
     if (++progress_.at(key).blocked_rounds >= options_.blocked_rounds) giveUp(key, progress_.at(key).blocked);
@@ -202,6 +211,7 @@ void ClearFrameTask::confirm() {
       return;
     }
   }
+
   TaskView view;
   view.overview = -1;
   view.near = true;
@@ -213,6 +223,7 @@ void ClearFrameTask::confirm() {
   if (!look(view, &seen)) return;
   ++progress.near_looks;
   ++entry(key).near_looks;
+
   object = known(key);
   if (!object) return doubted();  // learn() noted that it is gone
   std::string doubt;
@@ -227,6 +238,7 @@ void ClearFrameTask::confirm() {
     if (++progress.unconfirmed >= options_.confirm_attempts) giveUp(key, doubt);
     return doubted();
   }
+
   progress.unconfirmed = 0;
   progress.blocked.clear();
   const GraspPlan plan = prepareGrasps(*object);
@@ -273,6 +285,7 @@ void ClearFrameTask::pick() {
   const Key key = *chosen_;
   const MappedObject object = entry(key).object;
   std::string why;
+
   for (size_t k = 0; k < candidates_.size(); ++k) {
     tell("grasp " + std::to_string(k + 1) + " of " + std::to_string(candidates_.size()) + ", " +
          candidates_[k].source);
@@ -295,6 +308,7 @@ void ClearFrameTask::pick() {
     }
     if (cancelled_ && cancelled_()) return finish(TaskOutcome::kCancelled, "cancelled while picking");
   }
+
   setAside(key, "none of " + std::to_string(candidates_.size()) + " grasps has a path; the last one: " + why);
 }
 
@@ -336,6 +350,7 @@ void ClearFrameTask::carry() {
   tell("to the drop zone, place " + std::to_string(carried_));
   const MappedObject object = entry(key).object;
   const ActionResult result = world_->carry(object, carried_);
+
   if (result.done()) {
     ++carried_;
     entry(key).outcome = ObjectOutcome::kCarried;
@@ -355,6 +370,7 @@ void ClearFrameTask::carry() {
     }
     return startRound();
   }
+
   if (result.outcome == ActionOutcome::kGraspLost) {
     entry(key).outcome = ObjectOutcome::kDropped;
     entry(key).reason = "on the way to the drop zone: " + result.reason;
@@ -407,6 +423,7 @@ void ClearFrameTask::finishRound() {
   settleDoubts();
   int left = 0;
   std::string first, doubts;
+
   for (TaskObject& object : result_.objects) {
     const MappedObject* there = known({object.object.object, object.object.number});
     if (object.outcome == ObjectOutcome::kWaiting && there && !inFrame(*there)) {
@@ -422,6 +439,7 @@ void ClearFrameTask::finishRound() {
     if (object.outcome != ObjectOutcome::kLeft && object.outcome != ObjectOutcome::kDropped) continue;
     if (++left == 1) first = label(object.object) + ": " + object.reason;
   }
+
   if (left > 0)
     finish(TaskOutcome::kLeftovers,
            std::to_string(left) + " left in the frame or dropped; " + first + doubts);

@@ -9,6 +9,7 @@ void ClearFrameTask::learn(const TaskLook& seen) {
   for (const MappedObject& object : seen.objects)
     if (object.misses < options_.doubtful_misses) map_.push_back(object);
   learnFrame();
+
   for (const MappedObject& object : map_) {
     if (object.object < 0 || object.object >= int(models_->objects.size()))
       throw BadInput("object " + std::to_string(object.object) + " is not in the model base");
@@ -18,14 +19,17 @@ void ClearFrameTask::learn(const TaskLook& seen) {
       entry.object = object;
       const bool lies_again = entry.outcome == ObjectOutcome::kDropped && object.last_stamp >= seen.stamp &&
                               inFrame(object) && entry.picks < options_.pick_attempts;
-      if (entry.outcome == ObjectOutcome::kGone || lies_again)
-        entry.outcome = ObjectOutcome::kWaiting, entry.reason.clear();
+      if (entry.outcome == ObjectOutcome::kGone || lies_again) {
+        entry.outcome = ObjectOutcome::kWaiting;
+        entry.reason.clear();
+      }
     } else if (inFrame(object)) {
       progress_[key].index = result_.objects.size();
       result_.objects.emplace_back();
       result_.objects.back().object = object;
     }
   }
+
   for (const auto& [key, progress] : progress_) {
     TaskObject& entry = result_.objects[progress.index];
     const bool there = entry.outcome == ObjectOutcome::kWaiting || entry.outcome == ObjectOutcome::kLeft;

@@ -15,7 +15,8 @@ struct ArmErrorOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("position_sigma", position_sigma), v("joint_sigma", joint_sigma);
+    v("position_sigma", position_sigma);
+    v("joint_sigma", joint_sigma);
   }
 };
 
@@ -28,7 +29,8 @@ struct HandEyeErrorOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("position_sigma", position_sigma), v("rotation_sigma", rotation_sigma);
+    v("position_sigma", position_sigma);
+    v("rotation_sigma", rotation_sigma);
   }
 };
 

@@ -46,16 +46,30 @@ struct ObjectMapOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("arm", arm), v("hand_eye", hand_eye), v("min_probability", min_probability);
-    v("floor_position", floor_position), v("floor_rotation", floor_rotation), v("gate", gate);
-    v("same_place", same_place), v("max_distance", max_distance);
-    v("outliers_to_restart", outliers_to_restart), v("min_motion", min_motion), v("min_turn", min_turn);
-    v("most_views", most_views), v("overlap_depth", overlap_depth),
-        v("forget_after_misses", forget_after_misses);
-    v("known_depth", known_depth), v("known_sigmas", known_sigmas);
-    v("expected_share", expected_share), v("expected_size", expected_size),
-        v("expected_border", expected_border);
-    v("expected_nearest", expected_nearest), v("expected_farthest", expected_farthest);
+    v("arm", arm);
+    v("hand_eye", hand_eye);
+    v("min_probability", min_probability);
+
+    v("floor_position", floor_position);
+    v("floor_rotation", floor_rotation);
+    v("gate", gate);
+    v("same_place", same_place);
+    v("max_distance", max_distance);
+
+    v("outliers_to_restart", outliers_to_restart);
+    v("min_motion", min_motion);
+    v("min_turn", min_turn);
+    v("most_views", most_views);
+    v("overlap_depth", overlap_depth);
+    v("forget_after_misses", forget_after_misses);
+    v("known_depth", known_depth);
+    v("known_sigmas", known_sigmas);
+
+    v("expected_share", expected_share);
+    v("expected_size", expected_size);
+    v("expected_border", expected_border);
+    v("expected_nearest", expected_nearest);
+    v("expected_farthest", expected_farthest);
   }
 };
 

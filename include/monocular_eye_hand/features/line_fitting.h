@@ -53,8 +53,11 @@ class LineSums {
   Moments between(int begin, int end) const {
     const Moments &a = sums_[size_t(begin - first_)], &b = sums_[size_t(end - first_)];
     Moments m{b.w - a.w, b.x - a.x, b.y - a.y, b.xx - a.xx, b.xy - a.xy, b.yy - a.yy};
-    m.x /= m.w, m.y /= m.w;
-    m.xx -= m.w * m.x * m.x, m.xy -= m.w * m.x * m.y, m.yy -= m.w * m.y * m.y;
+    m.x /= m.w;
+    m.y /= m.w;
+    m.xx -= m.w * m.x * m.x;
+    m.xy -= m.w * m.x * m.y;
+    m.yy -= m.w * m.y * m.y;
     return m;
   }
   int first_ = 0;

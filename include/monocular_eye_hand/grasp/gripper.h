@@ -15,7 +15,8 @@ struct GripperBox {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("centre", centre), v("size", size);
+    v("centre", centre);
+    v("size", size);
   }
 };
 
@@ -38,10 +39,17 @@ struct GripperOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("opening_min", opening_min), v("opening_max", opening_max), v("pad_width", pad_width);
-    v("pad_length", pad_length), v("finger_width", finger_width), v("finger_thickness", finger_thickness);
-    v("finger_length", finger_length), v("finger_tip", finger_tip), v("friction", friction);
-    v("compliance", compliance), v("body", body);
+    v("opening_min", opening_min);
+    v("opening_max", opening_max);
+    v("pad_width", pad_width);
+    v("pad_length", pad_length);
+    v("finger_width", finger_width);
+    v("finger_thickness", finger_thickness);
+    v("finger_length", finger_length);
+    v("finger_tip", finger_tip);
+    v("friction", friction);
+    v("compliance", compliance);
+    v("body", body);
   }
 };
 

@@ -23,9 +23,15 @@ struct GraspSamplingOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("step", step), v("directions", directions), v("parallel", parallel), v("min_contact", min_contact);
-    v("margin", margin), v("approach", approach), v("lever_weight", lever_weight);
-    v("per_direction", per_direction), v("most", most);
+    v("step", step);
+    v("directions", directions);
+    v("parallel", parallel);
+    v("min_contact", min_contact);
+    v("margin", margin);
+    v("approach", approach);
+    v("lever_weight", lever_weight);
+    v("per_direction", per_direction);
+    v("most", most);
   }
 };
 

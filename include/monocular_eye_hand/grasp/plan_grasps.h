@@ -26,11 +26,19 @@ struct GraspPlanOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("sigmas", sigmas), v("min_clearance", min_clearance), v("preferred_clearance", preferred_clearance);
-    v("approach_distance", approach_distance), v("lift_distance", lift_distance), v("max_tilt", max_tilt);
-    v("table_clearance", table_clearance), v("obstacle_clearance", obstacle_clearance);
-    v("min_wrist", min_wrist), v("max_joint_step", max_joint_step), v("turns", turns);
-    v("branches", branches), v("most", most);
+    v("sigmas", sigmas);
+    v("min_clearance", min_clearance);
+    v("preferred_clearance", preferred_clearance);
+    v("approach_distance", approach_distance);
+    v("lift_distance", lift_distance);
+    v("max_tilt", max_tilt);
+    v("table_clearance", table_clearance);
+    v("obstacle_clearance", obstacle_clearance);
+    v("min_wrist", min_wrist);
+    v("max_joint_step", max_joint_step);
+    v("turns", turns);
+    v("branches", branches);
+    v("most", most);
   }
 };
 

@@ -16,7 +16,10 @@ struct PathOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("budget", budget), v("resolution", resolution), v("range", range), v("shortcuts", shortcuts);
+    v("budget", budget);
+    v("resolution", resolution);
+    v("range", range);
+    v("shortcuts", shortcuts);
     v("seed", seed);
   }
 };
@@ -34,8 +37,12 @@ struct CartesianOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("deviation", deviation), v("turn_deviation", turn_deviation), v("max_step", max_step);
-    v("max_turn", max_turn), v("joint_jump", joint_jump), v("min_singularity", min_singularity);
+    v("deviation", deviation);
+    v("turn_deviation", turn_deviation);
+    v("max_step", max_step);
+    v("max_turn", max_turn);
+    v("joint_jump", joint_jump);
+    v("min_singularity", min_singularity);
   }
 };
 
@@ -49,7 +56,10 @@ struct TimingOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("speed", speed), v("acceleration", acceleration), v("tool_speed", tool_speed), v("corner", corner);
+    v("speed", speed);
+    v("acceleration", acceleration);
+    v("tool_speed", tool_speed);
+    v("corner", corner);
   }
 };
 
@@ -66,8 +76,13 @@ struct PlanningOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("padding", padding), v("near_padding", near_padding), v("near_speed", near_speed);
-    v("candidates", candidates), v("path", path), v("cartesian", cartesian), v("timing", timing);
+    v("padding", padding);
+    v("near_padding", near_padding);
+    v("near_speed", near_speed);
+    v("candidates", candidates);
+    v("path", path);
+    v("cartesian", cartesian);
+    v("timing", timing);
   }
 };
 

@@ -23,10 +23,17 @@ struct CameraViewOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("overview_distance", overview_distance), v("overview_elevation", overview_elevation);
-    v("overview_turn", overview_turn), v("search_distance", search_distance);
-    v("search_elevation", search_elevation), v("near_distance", near_distance), v("near_step", near_step);
-    v("nearest", nearest), v("near_elevation", near_elevation), v("near_turn", near_turn), v("most", most);
+    v("overview_distance", overview_distance);
+    v("overview_elevation", overview_elevation);
+    v("overview_turn", overview_turn);
+    v("search_distance", search_distance);
+    v("search_elevation", search_elevation);
+    v("near_distance", near_distance);
+    v("near_step", near_step);
+    v("nearest", nearest);
+    v("near_elevation", near_elevation);
+    v("near_turn", near_turn);
+    v("most", most);
   }
 };
 

@@ -32,12 +32,22 @@ struct ClearFrameOptions {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("frame", frame), v("frame_margin", frame_margin), v("overviews", overviews);
-    v("overviews_again", overviews_again), v("searches", searches), v("doubtful_misses", doubtful_misses);
-    v("look_attempts", look_attempts), v("retry_wait", retry_wait), v("doubtful_looks", doubtful_looks);
-    v("confirm_views", confirm_views), v("near_looks", near_looks), v("confirm_attempts", confirm_attempts);
+    v("frame", frame);
+    v("frame_margin", frame_margin);
+    v("overviews", overviews);
+    v("overviews_again", overviews_again);
+    v("searches", searches);
+    v("doubtful_misses", doubtful_misses);
+    v("look_attempts", look_attempts);
+    v("retry_wait", retry_wait);
+    v("doubtful_looks", doubtful_looks);
+    v("confirm_views", confirm_views);
+    v("near_looks", near_looks);
+    v("confirm_attempts", confirm_attempts);
     v("blocked_rounds", blocked_rounds);
-    v("pick_attempts", pick_attempts), v("candidates", candidates), v("most_rounds", most_rounds);
+    v("pick_attempts", pick_attempts);
+    v("candidates", candidates);
+    v("most_rounds", most_rounds);
   }
 };
 
