@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "arm/urdf_model.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "urdf_model.h"
 
 namespace monocular_eye_hand {
 namespace {

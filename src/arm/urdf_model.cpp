@@ -1,4 +1,4 @@
-#include "urdf_model.h"
+#include "arm/urdf_model.h"
 
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>

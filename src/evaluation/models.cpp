@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "json_file.h"
+#include "evaluation/json_file.h"
 #include "monocular_eye_hand/evaluation/dataset.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"

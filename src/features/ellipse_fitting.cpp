@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "ellipse_sums.h"
+#include "features/ellipse_sums.h"
 
 namespace monocular_eye_hand {
 namespace {

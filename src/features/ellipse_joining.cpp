@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "arc_grid.h"
+#include "features/arc_grid.h"
 #include "monocular_eye_hand/features/ellipse_fitting.h"
 #include "monocular_eye_hand/features/joining.h"
 #include "monocular_eye_hand/features/line_fitting.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edge_links.h"
+#include "features/edge_links.h"
 
 namespace monocular_eye_hand {
 namespace {

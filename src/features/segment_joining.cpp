@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "collinear_pairs.h"
+#include "features/collinear_pairs.h"
 #include "monocular_eye_hand/features/joining.h"
 
 namespace monocular_eye_hand {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "image_context.h"
-#include "weights.h"
+#include "grouping/image_context.h"
+#include "grouping/weights.h"
 
 namespace monocular_eye_hand {
 namespace {

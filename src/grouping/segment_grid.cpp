@@ -1,4 +1,4 @@
-#include "segment_grid.h"
+#include "grouping/segment_grid.h"
 
 #include <algorithm>
 #include <cmath>

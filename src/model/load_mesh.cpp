@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "mesh_readers.h"
+#include "model/mesh_readers.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
 #include "monocular_eye_hand/io/plain_number.h"

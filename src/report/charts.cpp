@@ -1,4 +1,4 @@
-#include "charts.h"
+#include "report/charts.h"
 
 #include <algorithm>
 #include <cstdio>

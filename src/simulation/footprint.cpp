@@ -1,4 +1,4 @@
-#include "footprint.h"
+#include "simulation/footprint.h"
 
 #include <algorithm>
 #include <cmath>

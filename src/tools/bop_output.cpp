@@ -1,4 +1,4 @@
-#include "bop_output.h"
+#include "tools/bop_output.h"
 
 #include <iostream>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "demo_scenes.h"
+#include "tools/demo_scenes.h"
 
 #include <cmath>
 

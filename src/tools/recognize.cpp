@@ -17,8 +17,8 @@
 #include "monocular_eye_hand/recognition/size_check.h"
 #include "monocular_eye_hand/report/explanation.h"
 #include "monocular_eye_hand/report/result_drawing.h"
-#include "result_output.h"
-#include "support.h"
+#include "tools/result_output.h"
+#include "tools/support.h"
 
 namespace monocular_eye_hand {
 namespace {
