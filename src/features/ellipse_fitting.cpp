@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/features/ellipse_fitting.h"
+#include "features/ellipse_fitting.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/features/linking.h"
+#include "features/linking.h"
 
 #include <algorithm>
 #include <cmath>

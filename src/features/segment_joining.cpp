@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "features/collinear_pairs.h"
-#include "monocular_eye_hand/features/joining.h"
+#include "features/joining.h"
 
 namespace monocular_eye_hand {
 

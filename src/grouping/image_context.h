@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "grouping/segment_ends.h"
 #include "grouping/segment_grid.h"
 #include "grouping/weights.h"
-#include "monocular_eye_hand/grouping/segment_ends.h"
 
 namespace monocular_eye_hand {
 

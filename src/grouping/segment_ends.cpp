@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/grouping/segment_ends.h"
+#include "grouping/segment_ends.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monocular_eye_hand/grouping/segment_ends.h"
+#include "grouping/segment_ends.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "monocular_eye_hand/simulation/clutter_shapes.h"
+#include "simulation/clutter_shapes.h"
 #include "simulation/random_look.h"
 
 namespace monocular_eye_hand {

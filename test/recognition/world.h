@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/pose_error.h"
 #include "monocular_eye_hand/evaluation/grey_image.h"
-#include "monocular_eye_hand/evaluation/pose_error.h"
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
