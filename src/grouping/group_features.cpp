@@ -3,6 +3,7 @@
 #include "grouping/candidates.h"
 #include "grouping/line_groupings.h"
 #include "grouping/pair_groupings.h"
+#include "grouping/segment_ends.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grouping/segment_ends.h"
+#include "grouping/ends.h"
 
 namespace monocular_eye_hand {
 namespace {

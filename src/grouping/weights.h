@@ -1,5 +1,5 @@
 #pragma once
-#include "grouping/segment_ends.h"
+#include "grouping/ends.h"
 #include "monocular_eye_hand/features/features.h"
 
 namespace monocular_eye_hand {

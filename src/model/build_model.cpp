@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "model/build_model.h"
+#include "model/build_steps.h"
 #include "model/contour_index.h"
 #include "model/rounded_circles.h"
 #include "model/rounded_edges.h"
@@ -10,7 +10,7 @@
 #include "model/symmetry.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/plain_number.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/ray_scene.h"
 
 namespace monocular_eye_hand {

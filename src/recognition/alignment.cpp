@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/model/contour.h"
+#include "monocular_eye_hand/pose/refine.h"
 #include "recognition/bent_edges.h"
 #include "recognition/feature_refinement.h"
 #include "recognition/focal_length.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "monocular_eye_hand/report/explanation.h"
+#include "report/html.h"
 
 namespace monocular_eye_hand {
 namespace {

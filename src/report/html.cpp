@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "monocular_eye_hand/report/explanation.h"
-
 namespace monocular_eye_hand {
 namespace {
 

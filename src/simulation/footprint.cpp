@@ -4,8 +4,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "monocular_eye_hand/simulation/random_scene.h"
-
 namespace monocular_eye_hand {
 
 Footprint footprint(const SceneObject& object, double grow) {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
 #include "simulation/corner_normals.h"
 
 namespace monocular_eye_hand {

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
 #include "simulation/environment.h"
 #include "simulation/print_lookup.h"
 #include "simulation/ray_world.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
 #include "simulation/ray_world.h"
 
 namespace monocular_eye_hand {

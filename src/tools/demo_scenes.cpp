@@ -4,7 +4,6 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/stable_poses.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

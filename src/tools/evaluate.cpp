@@ -13,6 +13,7 @@
 #include "monocular_eye_hand/evaluation/results.h"
 #include "monocular_eye_hand/evaluation/scores.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/report/evaluation_pages.h"
 #include "tools/candidate_dump.h"

@@ -10,8 +10,8 @@
 #include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/model/equal_poses.h"
+#include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
-#include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
 #include "recognition/reporting.h"
 
