@@ -7,13 +7,13 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "features/edge_detection.h"
+#include "features/joining.h"
+#include "features/linking.h"
+#include "features/splitting.h"
+#include "features/undistortion.h"
 #include "features_detectors.h"
-#include "monocular_eye_hand/features/edge_detection.h"
 #include "monocular_eye_hand/features/features.h"
-#include "monocular_eye_hand/features/joining.h"
-#include "monocular_eye_hand/features/linking.h"
-#include "monocular_eye_hand/features/splitting.h"
-#include "monocular_eye_hand/features/undistortion.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -8,8 +8,9 @@
 
 #include "features_bench_sets.h"
 #include "features_detectors.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/contour.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/ray_scene.h"
 
 namespace monocular_eye_hand {

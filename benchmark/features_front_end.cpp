@@ -4,12 +4,12 @@
 #include <array>
 #include <opencv2/imgproc.hpp>
 
+#include "features/edge_detection.h"
+#include "features/joining.h"
+#include "features/linking.h"
+#include "features/splitting.h"
 #include "features_bench_sets.h"
 #include "features_detectors.h"
-#include "monocular_eye_hand/features/edge_detection.h"
-#include "monocular_eye_hand/features/joining.h"
-#include "monocular_eye_hand/features/linking.h"
-#include "monocular_eye_hand/features/splitting.h"
 
 namespace monocular_eye_hand {
 namespace {

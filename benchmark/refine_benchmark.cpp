@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monocular_eye_hand/pose/refine.h"
 #include "random_pose.h"
 #include "refine_peer.h"
 

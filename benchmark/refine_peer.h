@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/geometry/camera.h"
+#include "monocular_eye_hand/pose/matches.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,5 @@
-# One room = one library with an explicit source list; its link line is the architecture diagram.
+# One room = one library with an explicit source list; its link line is the architecture diagram. A header of its own
+# stands in src/<name>/ and is included as "<name>/x.h"; only include/ is installed.
 #   room(<name> SOURCES <file>... [LINK <target>...])       library monocular_eye_hand_<name>, sources in src/<name>/
 #   tool(<name> SOURCES <file>... [LINK <target>...])       program <name>, target monocular_eye_hand_tool_<name>
 #   helper(<name> SOURCES <file>... [LINK <target>...])     program that a room starts, in a folder beside its library
@@ -10,8 +11,9 @@ function(room name)
   set(target monocular_eye_hand_${name})
   add_library(${target} SHARED ${ARG_SOURCES})
   add_library(monocular_eye_hand::${name} ALIAS ${target})
-  target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_include_directories(${target}
+    PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
+    PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PUBLIC ${ARG_LINK})
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
@@ -24,6 +26,7 @@ function(tool name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   set(target monocular_eye_hand_tool_${name})
   add_executable(${target} ${ARG_SOURCES})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PRIVATE ${ARG_LINK})
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
@@ -35,6 +38,7 @@ function(helper name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   set(target monocular_eye_hand_helper_${name})
   add_executable(${target} ${ARG_SOURCES})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PRIVATE ${ARG_LINK})
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name}
@@ -57,6 +61,7 @@ function(room_test room name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   set(target test_${room}_${name})
   add_executable(${target} EXCLUDE_FROM_ALL ${ARG_SOURCES})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} monocular_eye_hand_${room} ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   target_compile_definitions(${target} PRIVATE MONOCULAR_EYE_HAND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -43,9 +43,24 @@ SOUND = {
         }
         namespace other { struct A {}; }
         }""",
+    f"{PACKAGE}/low/api.h": '#include "monocular_eye_hand/low/part_of_api.h"\n',
+    f"{PACKAGE}/low/part_of_api.h": "",
+    ".ci/downstream.sh": 'echo \'#include "monocular_eye_hand/low/api.h"\'\n',
     "msg/Found.msg": "int32 found\n",
 }
 PLANTED = {
+    "circles": [
+        {"src/low/a.h": '#include "monocular_eye_hand/low/part_of_api.h"\n',
+         f"{PACKAGE}/low/part_of_api.h": '#include "monocular_eye_hand/low/a.h"\n'},
+        {"src/low/one.h": '#include "two.h"\n', "src/low/two.h": '#include "low/three.h"\n',
+         "src/low/three.cpp": '#include "low/one.h"\n', "src/low/three.h": ""},
+        {"src/high/folder/b.h": '#include "high/b.h"\n', "src/high/b.h": '#include "high/folder/b.h"\n'},
+    ],
+    "headers": [
+        {f"{PACKAGE}/low/lonely.h": "", "src/low/lonely.cpp": '#include "monocular_eye_hand/low/lonely.h"\n'},
+        {f"{PACKAGE}/low/lonely.h": "", f"{PACKAGE}/low/brings.h": '#include "monocular_eye_hand/low/lonely.h"\n'},
+        {f"{PACKAGE}/low/tested.h": "", "test/high/b_test.cpp": '#include "monocular_eye_hand/low/tested.h"\n'},
+    ],
     "names": [
         {"src/high/c.cpp": "namespace monocular_eye_hand {\nclass A final : public B {\n};\n}\n"},
         {"src/high/c.cpp": "namespace monocular_eye_hand {\nenum class Later : int { kOne };\n}\n"},

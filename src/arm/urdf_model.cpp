@@ -1,4 +1,4 @@
-#include "urdf_model.h"
+#include "arm/urdf_model.h"
 
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
@@ -11,7 +11,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_path.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {

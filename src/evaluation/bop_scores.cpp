@@ -3,8 +3,8 @@
 #include <limits>
 #include <set>
 
+#include "evaluation/pose_error.h"
 #include "monocular_eye_hand/evaluation/error_meter.h"
-#include "monocular_eye_hand/evaluation/pose_error.h"
 #include "monocular_eye_hand/evaluation/scores.h"
 #include "monocular_eye_hand/geometry/error.h"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "json_file.h"
+#include "evaluation/json_file.h"
 #include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/geometry/error.h"
 

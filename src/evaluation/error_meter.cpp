@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "monocular_eye_hand/evaluation/pose_error.h"
+#include "evaluation/pose_error.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {

@@ -1,4 +1,4 @@
-#include "json_file.h"
+#include "evaluation/json_file.h"
 
 #include <cmath>
 #include <fstream>

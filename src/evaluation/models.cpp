@@ -1,10 +1,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "json_file.h"
+#include "evaluation/json_file.h"
 #include "monocular_eye_hand/evaluation/dataset.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {

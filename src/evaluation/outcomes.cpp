@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monocular_eye_hand/evaluation/pose_error.h"
+#include "evaluation/pose_error.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/evaluation/pose_error.h"
+#include "evaluation/pose_error.h"
 
 #include <cmath>
 #include <limits>

@@ -14,7 +14,7 @@
 #include <set>
 #include <sstream>
 
-#include "json_file.h"
+#include "evaluation/json_file.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {

@@ -1,4 +1,4 @@
-#include "expected.h"
+#include "eye_hand/expected.h"
 
 #include <algorithm>
 #include <cmath>

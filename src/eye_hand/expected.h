@@ -1,7 +1,11 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
-#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/eye_hand/object_map_options.h"
+#include "monocular_eye_hand/geometry/camera.h"
+#include "monocular_eye_hand/geometry/rigid3.h"
+#include "monocular_eye_hand/model/object_model.h"
 
 namespace monocular_eye_hand {
 

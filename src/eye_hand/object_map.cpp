@@ -6,7 +6,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "expected.h"
+#include "eye_hand/expected.h"
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/seconds_text.h"

@@ -1,7 +1,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/eye_hand/object_map_options.h"
+#include "monocular_eye_hand/eye_hand/object_view.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {

@@ -1,4 +1,4 @@
-#include "arc_grid.h"
+#include "features/arc_grid.h"
 
 namespace monocular_eye_hand {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monocular_eye_hand/features/splitting.h"
+#include "features/splitting.h"
 
 namespace monocular_eye_hand {
 namespace {

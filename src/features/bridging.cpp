@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "edge_links.h"
-#include "pixel_rings.h"
+#include "features/edge_links.h"
+#include "features/pixel_rings.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "collinear_pairs.h"
+#include "features/collinear_pairs.h"
 
 #include <algorithm>
 #include <cmath>

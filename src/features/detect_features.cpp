@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <string>
 
-#include "monocular_eye_hand/features/edge_detection.h"
+#include "features/edge_detection.h"
+#include "features/joining.h"
+#include "features/linking.h"
+#include "features/splitting.h"
+#include "features/undistortion.h"
 #include "monocular_eye_hand/features/features.h"
-#include "monocular_eye_hand/features/joining.h"
-#include "monocular_eye_hand/features/linking.h"
-#include "monocular_eye_hand/features/splitting.h"
-#include "monocular_eye_hand/features/undistortion.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/features/edge_detection.h"
+#include "features/edge_detection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "monocular_eye_hand/features/edge_detection.h"
+#include "features/edge_detection.h"
 
 namespace monocular_eye_hand {
 

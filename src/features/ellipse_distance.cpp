@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "monocular_eye_hand/features/ellipse_fitting.h"
+#include "features/ellipse_fitting.h"
 
 namespace monocular_eye_hand {
 namespace {

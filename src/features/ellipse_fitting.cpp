@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/features/ellipse_fitting.h"
+#include "features/ellipse_fitting.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "ellipse_sums.h"
+#include "features/ellipse_sums.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "arc_grid.h"
-#include "monocular_eye_hand/features/ellipse_fitting.h"
-#include "monocular_eye_hand/features/joining.h"
-#include "monocular_eye_hand/features/line_fitting.h"
+#include "features/arc_grid.h"
+#include "features/ellipse_fitting.h"
+#include "features/joining.h"
+#include "features/line_fitting.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "ellipse_sums.h"
+#include "features/ellipse_sums.h"
 
 #include <algorithm>
 #include <cmath>

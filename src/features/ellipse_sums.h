@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "monocular_eye_hand/features/fit_points.h"
+#include "features/fit_points.h"
 #include "monocular_eye_hand/geometry/ellipse.h"
 
 namespace monocular_eye_hand {

@@ -1,8 +1,8 @@
-#include "monocular_eye_hand/features/fit_points.h"
+#include "features/fit_points.h"
 
 #include <algorithm>
 
-#include "monocular_eye_hand/features/line_fitting.h"
+#include "features/line_fitting.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/features/line_fitting.h"
+#include "features/line_fitting.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "monocular_eye_hand/features/linking.h"
+#include "features/linking.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "edge_links.h"
+#include "features/edge_links.h"
 
 namespace monocular_eye_hand {
 namespace {

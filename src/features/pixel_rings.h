@@ -1,5 +1,5 @@
 #pragma once
-#include "monocular_eye_hand/features/edge_detection.h"
+#include "features/edge_detection.h"
 
 namespace monocular_eye_hand {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "collinear_pairs.h"
-#include "monocular_eye_hand/features/joining.h"
+#include "features/collinear_pairs.h"
+#include "features/joining.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/features/splitting.h"
+#include "features/splitting.h"
 
 #include <algorithm>
 #include <cmath>

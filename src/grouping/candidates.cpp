@@ -1,4 +1,4 @@
-#include "candidates.h"
+#include "grouping/candidates.h"
 
 namespace monocular_eye_hand {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "model_structure.h"
+#include "grouping/model_structure.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,4 @@
-#include "model_structure.h"
+#include "grouping/model_structure.h"
 
 namespace monocular_eye_hand {
 namespace {

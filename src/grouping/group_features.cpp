@@ -1,8 +1,9 @@
 #include <algorithm>
 
-#include "candidates.h"
-#include "line_groupings.h"
-#include "pair_groupings.h"
+#include "grouping/candidates.h"
+#include "grouping/line_groupings.h"
+#include "grouping/pair_groupings.h"
+#include "grouping/segment_ends.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "monocular_eye_hand/grouping/segment_ends.h"
-#include "segment_grid.h"
-#include "weights.h"
+#include "grouping/segment_grid.h"
+#include "grouping/weights.h"
+#include "monocular_eye_hand/features/features.h"
+#include "monocular_eye_hand/grouping/grouping.h"
 
 namespace monocular_eye_hand {
 
@@ -33,7 +34,5 @@ struct ImageContext {
   std::vector<char> bridged;             ///< per end
   std::vector<double> segment_weight;    ///< per segment: probability that it is an edge of something
 };
-
-EndMap mapEnds(const ImageContext& context);
 
 }  // namespace monocular_eye_hand

@@ -1,4 +1,4 @@
-#include "line_groupings.h"
+#include "grouping/line_groupings.h"
 
 #include <Eigen/LU>
 #include <algorithm>

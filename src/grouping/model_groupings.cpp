@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "model_symmetry.h"
+#include "grouping/model_symmetry.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "model_structure.h"
+#include "grouping/model_structure.h"
 
 #include <algorithm>
 #include <cmath>

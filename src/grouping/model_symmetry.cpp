@@ -1,4 +1,4 @@
-#include "model_symmetry.h"
+#include "grouping/model_symmetry.h"
 
 #include <algorithm>
 #include <cmath>

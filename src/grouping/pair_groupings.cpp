@@ -1,4 +1,4 @@
-#include "pair_groupings.h"
+#include "grouping/pair_groupings.h"
 
 #include <algorithm>
 #include <cmath>

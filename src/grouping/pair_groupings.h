@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "image_context.h"
+#include "grouping/image_context.h"
 
 namespace monocular_eye_hand {
 

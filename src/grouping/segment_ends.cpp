@@ -1,11 +1,11 @@
-#include "monocular_eye_hand/grouping/segment_ends.h"
+#include "grouping/segment_ends.h"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "image_context.h"
-#include "weights.h"
+#include "grouping/image_context.h"
+#include "grouping/weights.h"
 
 namespace monocular_eye_hand {
 namespace {

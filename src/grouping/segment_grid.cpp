@@ -1,9 +1,9 @@
-#include "segment_grid.h"
+#include "grouping/segment_grid.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "monocular_eye_hand/grouping/segment_ends.h"
+#include "grouping/ends.h"
 
 namespace monocular_eye_hand {
 namespace {

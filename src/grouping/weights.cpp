@@ -1,4 +1,4 @@
-#include "weights.h"
+#include "grouping/weights.h"
 
 #include <algorithm>
 #include <cmath>

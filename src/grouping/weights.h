@@ -1,6 +1,6 @@
 #pragma once
+#include "grouping/ends.h"
 #include "monocular_eye_hand/features/features.h"
-#include "monocular_eye_hand/grouping/segment_ends.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,4 @@
-#include "calibration_fields.h"
+#include "io/calibration_fields.h"
 
 #include <locale.h>
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "calibration_tree.h"
+#include "io/calibration_tree.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {

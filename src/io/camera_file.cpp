@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration_fields.h"
-#include "calibration_tree.h"
+#include "io/calibration_fields.h"
+#include "io/calibration_tree.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
 #include "monocular_eye_hand/io/file_path.h"

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <fstream>
 
+#include "io/starts_with.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "starts_with.h"
 
 namespace monocular_eye_hand {
 namespace {

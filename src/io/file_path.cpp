@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "io/package_folder.h"
+#include "io/starts_with.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "package_folder.h"
-#include "starts_with.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "package_folder.h"
+#include "io/package_folder.h"
 
 #include <sys/wait.h>
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "assimp_answer.h"
+#include "model/assimp_answer.h"
 
 namespace monocular_eye_hand {
 namespace {

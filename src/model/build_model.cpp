@@ -2,16 +2,16 @@
 #include <cmath>
 #include <cstdio>
 
-#include "build_model.h"
-#include "contour_index.h"
+#include "model/build_steps.h"
+#include "model/contour_index.h"
+#include "model/rounded_circles.h"
+#include "model/rounded_edges.h"
+#include "model/sharp_features.h"
+#include "model/symmetry.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/plain_number.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/ray_scene.h"
-#include "rounded_circles.h"
-#include "rounded_edges.h"
-#include "sharp_features.h"
-#include "symmetry.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "cache.h"
+#include "model/cache.h"
 
 #include <sys/stat.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
+#include "model/symmetry.h"
 #include "monocular_eye_hand/model/characteristic_views.h"
-#include "symmetry.h"
 
 namespace monocular_eye_hand {
 

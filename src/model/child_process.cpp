@@ -1,4 +1,4 @@
-#include "child_process.h"
+#include "model/child_process.h"
 
 #include <dlfcn.h>
 #include <fcntl.h>

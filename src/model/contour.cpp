@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contour_index.h"
+#include "model/contour_index.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/ray_scene.h"
 

@@ -1,4 +1,4 @@
-#include "contour_index.h"
+#include "model/contour_index.h"
 
 #include <algorithm>
 #include <cmath>

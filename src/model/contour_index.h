@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "model/topology.h"
 #include "monocular_eye_hand/model/object_model.h"
-#include "topology.h"
 
 namespace monocular_eye_hand {
 

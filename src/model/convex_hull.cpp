@@ -1,4 +1,4 @@
-#include "convex_hull.h"
+#include "model/convex_hull.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "facets.h"
+#include "model/facets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "topology.h"
+#include "model/topology.h"
 
 namespace monocular_eye_hand {
 

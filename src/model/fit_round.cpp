@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surfaces.h"
+#include "model/surfaces.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "mesh_readers.h"
+#include "model/mesh_readers.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
 #include "monocular_eye_hand/io/plain_number.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {

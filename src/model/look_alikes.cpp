@@ -1,4 +1,4 @@
-#include "look_alikes.h"
+#include "model/look_alikes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <sstream>
 
-#include "build_model.h"
-#include "cache.h"
-#include "look_alikes.h"
-#include "mesh_readers.h"
+#include "model/build_steps.h"
+#include "model/cache.h"
+#include "model/look_alikes.h"
+#include "model/mesh_readers.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {

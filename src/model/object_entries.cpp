@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "model/read_handling.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_path.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
-#include "read_handling.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "ply_header.h"
+#include "model/ply_header.h"
 
 #include <sstream>
 

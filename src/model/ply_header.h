@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "text_scanner.h"
+#include "model/text_scanner.h"
 
 namespace monocular_eye_hand {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "mesh_readers.h"
+#include "model/mesh_readers.h"
 
 namespace monocular_eye_hand {
 namespace {

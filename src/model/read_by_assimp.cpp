@@ -7,9 +7,9 @@
 #include <sstream>
 #include <system_error>
 
-#include "assimp_answer.h"
-#include "child_process.h"
-#include "mesh_readers.h"
+#include "model/assimp_answer.h"
+#include "model/child_process.h"
+#include "model/mesh_readers.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
 

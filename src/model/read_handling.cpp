@@ -1,4 +1,4 @@
-#include "read_handling.h"
+#include "model/read_handling.h"
 
 #include <yaml-cpp/yaml.h>
 

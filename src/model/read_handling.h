@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace YAML {
 class Node;

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <cstring>
 
-#include "mesh_readers.h"
+#include "model/mesh_readers.h"
+#include "model/ply_header.h"
+#include "model/text_scanner.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "ply_header.h"
-#include "text_scanner.h"
 
 namespace monocular_eye_hand {
 namespace {

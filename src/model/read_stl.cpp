@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <cstring>
 
-#include "mesh_readers.h"
+#include "model/mesh_readers.h"
+#include "model/text_scanner.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
-#include "text_scanner.h"
 
 namespace monocular_eye_hand {
 namespace {

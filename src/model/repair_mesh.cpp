@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "model/topology.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "topology.h"
 
 namespace monocular_eye_hand {
 namespace {

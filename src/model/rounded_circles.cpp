@@ -1,11 +1,11 @@
-#include "rounded_circles.h"
+#include "model/rounded_circles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
-#include "rounded_edges.h"
+#include "model/rounded_edges.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "rounded_edges.h"
+#include "model/rounded_edges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "sharp_features.h"
+#include "model/sharp_features.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,4 @@
-#include "sharp_features.h"
+#include "model/sharp_features.h"
 
 #include <algorithm>
 #include <cmath>

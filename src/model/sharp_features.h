@@ -1,5 +1,5 @@
 #pragma once
-#include "surfaces.h"
+#include "model/surfaces.h"
 
 namespace monocular_eye_hand {
 

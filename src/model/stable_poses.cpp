@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "convex_hull.h"
+#include "model/convex_hull.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/random.h"
 

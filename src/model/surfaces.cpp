@@ -1,10 +1,10 @@
-#include "surfaces.h"
+#include "model/surfaces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "facets.h"
+#include "model/facets.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,13 +1,13 @@
-#include "symmetry.h"
+#include "model/symmetry.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "model/symmetry_group.h"
+#include "model/tessellation.h"
 #include "monocular_eye_hand/model/closest_point.h"
-#include "symmetry_group.h"
-#include "tessellation.h"
 
 namespace monocular_eye_hand {
 namespace {

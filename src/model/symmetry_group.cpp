@@ -1,4 +1,4 @@
-#include "symmetry_group.h"
+#include "model/symmetry_group.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>

@@ -1,4 +1,4 @@
-#include "tessellation.h"
+#include "model/tessellation.h"
 
 #include <algorithm>
 #include <cmath>

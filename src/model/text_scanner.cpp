@@ -1,4 +1,4 @@
-#include "text_scanner.h"
+#include "model/text_scanner.h"
 
 #include <locale.h>
 

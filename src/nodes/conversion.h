@@ -9,7 +9,7 @@
 #include <string>
 
 #include "monocular_eye_hand/geometry/rigid3.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 
 namespace monocular_eye_hand {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/eye_hand/object_view.h"
 #include "monocular_eye_hand/grasp/plan_grasps.h"
 
 namespace monocular_eye_hand {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/arm/puma560.h"
-#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/eye_hand/object_map_options.h"
 #include "monocular_eye_hand/grasp/plan_grasps.h"
 #include "nodes/cell_box.h"
 

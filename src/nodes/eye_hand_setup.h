@@ -2,7 +2,7 @@
 #include <string>
 
 #include "monocular_eye_hand/arm/arm_description.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "nodes/eye_hand_parameters.h"
 
 namespace monocular_eye_hand {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/grasp/plan_grasps.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "nodes/eye_hand_parameters.h"
 #include "nodes/shared_map.h"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/eye_hand/object_view.h"
 #include "nodes/eye_hand_parameters.h"
 
 namespace monocular_eye_hand {

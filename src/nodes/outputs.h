@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/geometry/camera.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 #include "nodes/instances.h"
 #include "nodes/markers.h"

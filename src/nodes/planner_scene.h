@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/geometry/rigid3.h"
+#include "monocular_eye_hand/model/object_model.h"
 #include "monocular_eye_hand/planning/collision_world.h"
 #include "nodes/planner_parameters.h"
 

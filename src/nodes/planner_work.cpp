@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/length_text.h"
 #include "monocular_eye_hand/geometry/seconds_text.h"

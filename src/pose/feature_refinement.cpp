@@ -7,6 +7,7 @@
 #include <map>
 
 #include "monocular_eye_hand/geometry/median.h"
+#include "monocular_eye_hand/pose/refine.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,7 +1,10 @@
 #pragma once
+#include <Eigen/Core>
 #include <vector>
 
-#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/geometry/camera.h"
+#include "monocular_eye_hand/geometry/rigid3.h"
+#include "monocular_eye_hand/pose/matches.h"
 
 namespace monocular_eye_hand {
 

@@ -6,6 +6,7 @@
 #include "monocular_eye_hand/model/contour.h"
 #include "monocular_eye_hand/pose/bent_edges.h"
 #include "monocular_eye_hand/pose/feature_refinement.h"
+#include "monocular_eye_hand/pose/refine.h"
 #include "recognition/focal_length.h"
 #include "recognition/resolved_contour.h"
 

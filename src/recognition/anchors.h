@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "monocular_eye_hand/pose/refine.h"
 #include "recognition/alignment.h"
 #include "recognition/constellation.h"
 #include "recognition/judging.h"

@@ -7,7 +7,7 @@
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/model/object_model.h"
-#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/pose/matches.h"
 #include "monocular_eye_hand/recognition/contest.h"
 #include "monocular_eye_hand/recognition/evidence_terms.h"
 #include "monocular_eye_hand/recognition/lead.h"

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/grouping/grouping.h"
-#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/pose/matches.h"
 #include "recognition/candidate.h"
 #include "recognition/search_model.h"
 

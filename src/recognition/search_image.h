@@ -4,7 +4,7 @@
 
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/grouping/grouping.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/pose/circle_pose.h"
 #include "monocular_eye_hand/recognition/options.h"
 #include "recognition/edge_raster.h"

@@ -6,7 +6,7 @@
 
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/model/closest_point.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "recognition/anchors.h"
 #include "recognition/coarse_score.h"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/model/object_model.h"
-#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/pose/matches.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 #include "recognition/support_evidence.h"
 

@@ -1,4 +1,4 @@
-#include "case_cards.h"
+#include "report/case_cards.h"
 
 #include <cmath>
 #include <fstream>

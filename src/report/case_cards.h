@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <string>
 
-#include "case_picture.h"
-#include "html.h"
 #include "monocular_eye_hand/report/evaluation_pages.h"
+#include "report/case_picture.h"
+#include "report/html.h"
 
 namespace monocular_eye_hand {
 

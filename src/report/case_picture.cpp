@@ -1,4 +1,4 @@
-#include "case_picture.h"
+#include "report/case_picture.h"
 
 #include <algorithm>
 #include <cmath>

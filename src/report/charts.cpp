@@ -1,9 +1,9 @@
-#include "charts.h"
+#include "report/charts.h"
 
 #include <algorithm>
 #include <cstdio>
 
-#include "monocular_eye_hand/report/explanation.h"
+#include "report/html.h"
 
 namespace monocular_eye_hand {
 namespace {

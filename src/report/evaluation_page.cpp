@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case_cards.h"
-#include "charts.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "report/case_cards.h"
+#include "report/charts.h"
 
 namespace monocular_eye_hand {
 namespace {

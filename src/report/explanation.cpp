@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "html.h"
 #include "monocular_eye_hand/drawing/overlays.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/report/result_drawing.h"
+#include "report/html.h"
 
 namespace monocular_eye_hand {
 namespace {

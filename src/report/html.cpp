@@ -1,9 +1,7 @@
-#include "html.h"
+#include "report/html.h"
 
 #include <cstdint>
 #include <cstdio>
-
-#include "monocular_eye_hand/report/explanation.h"
 
 namespace monocular_eye_hand {
 namespace {

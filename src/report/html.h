@@ -5,6 +5,9 @@
 
 namespace monocular_eye_hand {
 
+/// Text for HTML: & < > " ' replaced; bytes that are not UTF-8 and control characters become U+FFFD.
+std::string escapeHtml(const std::string& text);
+
 /// Number as a reader wants it: four significant digits, no trailing zeros.
 std::string shortNumber(double value);
 

@@ -1,12 +1,12 @@
-#include "appearance.h"
+#include "simulation/appearance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "print_placing.h"
-#include "random_look.h"
+#include "simulation/print_placing.h"
+#include "simulation/random_look.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
-#include "clutter.h"
 #include "monocular_eye_hand/geometry/random.h"
 #include "monocular_eye_hand/simulation/scene.h"
+#include "simulation/clutter.h"
 
 namespace monocular_eye_hand {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <thread>
 
-#include "fast_renderer.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/random.h"
-#include "parallel_rows.h"
-#include "sensor.h"
+#include "simulation/fast_renderer.h"
+#include "simulation/parallel_rows.h"
+#include "simulation/sensor.h"
 
 namespace monocular_eye_hand {
 namespace {

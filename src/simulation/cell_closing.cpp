@@ -1,4 +1,4 @@
-#include "cell_closing.h"
+#include "simulation/cell_closing.h"
 
 #include <algorithm>
 #include <cmath>

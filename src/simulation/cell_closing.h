@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "cell_collision.h"
 #include "monocular_eye_hand/simulation/cell_gripper.h"
+#include "simulation/cell_collision.h"
 
 namespace monocular_eye_hand {
 

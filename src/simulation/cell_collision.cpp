@@ -1,4 +1,4 @@
-#include "cell_collision.h"
+#include "simulation/cell_collision.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>

@@ -1,4 +1,4 @@
-#include "cell_random.h"
+#include "simulation/cell_random.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,11 +6,11 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "footprint.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/stable_poses.h"
 #include "monocular_eye_hand/simulation/cell_gripper.h"
-#include "random_look.h"
+#include "simulation/footprint.h"
+#include "simulation/random_look.h"
 
 namespace monocular_eye_hand {
 namespace {

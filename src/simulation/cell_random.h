@@ -1,5 +1,5 @@
 #pragma once
-#include "monocular_eye_hand/simulation/cell_scene.h"
+#include "monocular_eye_hand/simulation/cell_layout.h"
 
 namespace monocular_eye_hand {
 

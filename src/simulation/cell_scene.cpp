@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cell_random.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "settling.h"
+#include "simulation/cell_random.h"
+#include "simulation/settling.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,10 +1,10 @@
-#include "clutter.h"
+#include "simulation/clutter.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "monocular_eye_hand/simulation/clutter_shapes.h"
-#include "random_look.h"
+#include "simulation/clutter_shapes.h"
+#include "simulation/random_look.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/simulation/clutter_shapes.h"
+#include "simulation/clutter_shapes.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "corner_normals.h"
+#include "simulation/corner_normals.h"
 
 #include <Eigen/Geometry>
 #include <array>

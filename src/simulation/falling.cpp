@@ -1,4 +1,4 @@
-#include "falling.h"
+#include "simulation/falling.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 #pragma once
-#include "settling.h"
+#include "simulation/settling.h"
 
 namespace monocular_eye_hand {
 

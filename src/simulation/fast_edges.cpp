@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fast_renderer.h"
 #include "monocular_eye_hand/geometry/random.h"
+#include "simulation/fast_renderer.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,13 +1,13 @@
-#include "fast_look.h"
+#include "simulation/fast_look.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "parallel_rows.h"
-#include "shader.h"
-#include "texture.h"
+#include "simulation/parallel_rows.h"
+#include "simulation/shader.h"
+#include "simulation/texture.h"
 
 namespace monocular_eye_hand {
 namespace {

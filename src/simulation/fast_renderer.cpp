@@ -1,11 +1,11 @@
-#include "fast_renderer.h"
+#include "simulation/fast_renderer.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "parallel_rows.h"
+#include "simulation/parallel_rows.h"
 
 namespace monocular_eye_hand {
 namespace {

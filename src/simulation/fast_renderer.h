@@ -3,9 +3,9 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "fast_look.h"
-#include "instance_world.h"
 #include "monocular_eye_hand/geometry/camera.h"
+#include "simulation/fast_look.h"
+#include "simulation/instance_world.h"
 
 namespace monocular_eye_hand {
 

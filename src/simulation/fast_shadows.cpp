@@ -3,8 +3,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "fast_renderer.h"
 #include "monocular_eye_hand/geometry/random.h"
+#include "simulation/fast_renderer.h"
 
 namespace monocular_eye_hand {
 namespace {

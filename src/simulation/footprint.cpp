@@ -1,10 +1,8 @@
-#include "footprint.h"
+#include "simulation/footprint.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-
-#include "monocular_eye_hand/simulation/random_scene.h"
 
 namespace monocular_eye_hand {
 

@@ -16,4 +16,8 @@ Footprint footprint(const SceneObject& object, double grow = 0);
 /// Cells that both cover.
 int sharedCells(const Footprint& a, const Footprint& b);
 
+/// Share of the table area that two resting objects both cover, seen from above, as a share of the smaller
+/// one (0: they stand side by side). Resolution about 1 mm.
+double footprintOverlap(const SceneObject& a, const SceneObject& b);
+
 }  // namespace monocular_eye_hand

@@ -1,9 +1,9 @@
-#include "instance_world.h"
+#include "simulation/instance_world.h"
 
 #include <Eigen/Geometry>
 #include <stdexcept>
 
-#include "corner_normals.h"
+#include "simulation/corner_normals.h"
 
 namespace monocular_eye_hand {
 namespace {

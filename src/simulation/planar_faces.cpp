@@ -1,4 +1,4 @@
-#include "planar_faces.h"
+#include "simulation/planar_faces.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "print_art.h"
+#include "simulation/print_art.h"
 
 #include <algorithm>
 #include <cmath>

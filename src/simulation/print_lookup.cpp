@@ -1,4 +1,4 @@
-#include "print_lookup.h"
+#include "simulation/print_lookup.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "print_placing.h"
+#include "simulation/print_placing.h"
 
 #include <algorithm>
 #include <cmath>

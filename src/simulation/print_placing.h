@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "monocular_eye_hand/simulation/finish.h"
-#include "planar_faces.h"
-#include "print_art.h"
+#include "simulation/planar_faces.h"
+#include "simulation/print_art.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,4 @@
-#include "random_look.h"
+#include "simulation/random_look.h"
 
 #include <cmath>
 

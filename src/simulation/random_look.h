@@ -3,7 +3,7 @@
 
 #include "monocular_eye_hand/geometry/random.h"
 #include "monocular_eye_hand/model/stable_poses.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
+#include "monocular_eye_hand/simulation/scene.h"
 
 namespace monocular_eye_hand {
 

@@ -6,6 +6,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/random.h"
+#include "monocular_eye_hand/simulation/random_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <string>
 
-#include "appearance.h"
-#include "clutter.h"
-#include "footprint.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/random.h"
 #include "monocular_eye_hand/model/stable_poses.h"
-#include "random_look.h"
-#include "settling.h"
+#include "simulation/appearance.h"
+#include "simulation/clutter.h"
+#include "simulation/footprint.h"
+#include "simulation/random_look.h"
+#include "simulation/settling.h"
 
 namespace monocular_eye_hand {
 namespace {

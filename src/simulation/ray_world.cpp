@@ -1,12 +1,12 @@
-#include "ray_world.h"
+#include "simulation/ray_world.h"
 
 #include <Eigen/Geometry>
 #include <limits>
 #include <stdexcept>
 
-#include "corner_normals.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
+#include "simulation/corner_normals.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "sensor.h"
-#include "shader.h"
-#include "visibility.h"
+#include "simulation/sensor.h"
+#include "simulation/shader.h"
+#include "simulation/visibility.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "rounded_edges.h"
+#include "simulation/rounded_edges.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "sensor.h"
+#include "simulation/sensor.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
 
 namespace monocular_eye_hand {
 

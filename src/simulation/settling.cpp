@@ -1,4 +1,4 @@
-#include "settling.h"
+#include "simulation/settling.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,11 +1,11 @@
-#include "shader.h"
+#include "simulation/shader.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/random.h"
-#include "texture.h"
+#include "simulation/texture.h"
 
 namespace monocular_eye_hand {
 namespace {

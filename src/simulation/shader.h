@@ -1,11 +1,11 @@
 #pragma once
 #include <cmath>
 
-#include "environment.h"
-#include "monocular_eye_hand/simulation/render.h"
-#include "print_lookup.h"
-#include "ray_world.h"
-#include "rounded_edges.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
+#include "simulation/environment.h"
+#include "simulation/print_lookup.h"
+#include "simulation/ray_world.h"
+#include "simulation/rounded_edges.h"
 
 namespace monocular_eye_hand {
 

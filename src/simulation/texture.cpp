@@ -1,4 +1,4 @@
-#include "texture.h"
+#include "simulation/texture.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "visibility.h"
+#include "simulation/visibility.h"
 
 #include <cmath>
 #include <opencv2/core.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-#include "monocular_eye_hand/simulation/render.h"
-#include "ray_world.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
+#include "simulation/ray_world.h"
 
 namespace monocular_eye_hand {
 

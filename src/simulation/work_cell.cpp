@@ -3,13 +3,13 @@
 #include <map>
 #include <set>
 
-#include "cell_closing.h"
-#include "cell_collision.h"
-#include "falling.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/stable_poses.h"
 #include "monocular_eye_hand/simulation/cell.h"
-#include "settling.h"
+#include "simulation/cell_closing.h"
+#include "simulation/cell_collision.h"
+#include "simulation/falling.h"
+#include "simulation/settling.h"
 
 namespace monocular_eye_hand {
 namespace {

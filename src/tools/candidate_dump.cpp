@@ -1,13 +1,13 @@
-#include "candidate_dump.h"
+#include "tools/candidate_dump.h"
 
 #include <algorithm>
 #include <fstream>
 #include <ostream>
 #include <set>
 
-#include "csv_table.h"
 #include "monocular_eye_hand/evaluation/outcomes.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "tools/csv_table.h"
 
 namespace monocular_eye_hand {
 

@@ -1,4 +1,4 @@
-#include "csv_table.h"
+#include "tools/csv_table.h"
 
 #include <algorithm>
 #include <cstdlib>

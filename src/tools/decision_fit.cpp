@@ -1,4 +1,4 @@
-#include "decision_fit.h"
+#include "tools/decision_fit.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,10 +1,9 @@
-#include "demo_scenes.h"
+#include "tools/demo_scenes.h"
 
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/stable_poses.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

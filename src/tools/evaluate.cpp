@@ -8,17 +8,18 @@
 #include <optional>
 #include <set>
 
-#include "candidate_dump.h"
-#include "judged_poses.h"
 #include "monocular_eye_hand/evaluation/dataset.h"
 #include "monocular_eye_hand/evaluation/lens.h"
 #include "monocular_eye_hand/evaluation/results.h"
 #include "monocular_eye_hand/evaluation/scores.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/report/evaluation_pages.h"
-#include "support.h"
-#include "traced_truths.h"
+#include "tools/candidate_dump.h"
+#include "tools/judged_poses.h"
+#include "tools/support.h"
+#include "tools/traced_truths.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -11,13 +11,13 @@
 #include <sstream>
 #include <utility>
 
-#include "csv_table.h"
-#include "decision_fit.h"
 #include "monocular_eye_hand/evaluation/outcomes.h"
 #include "monocular_eye_hand/evaluation/statistics.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
-#include "support.h"
+#include "tools/csv_table.h"
+#include "tools/decision_fit.h"
+#include "tools/support.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "judged_poses.h"
+#include "tools/judged_poses.h"
 
 #include <cstdio>
 

@@ -10,9 +10,10 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "model_picture.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "tools/model_picture.h"
 
 namespace monocular_eye_hand {
 namespace {

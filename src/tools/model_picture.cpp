@@ -1,4 +1,4 @@
-#include "model_picture.h"
+#include "tools/model_picture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,14 +11,15 @@
 #include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/camera_file.h"
+#include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/options/image_files.h"
 #include "monocular_eye_hand/options/options.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/recognition/size_check.h"
 #include "monocular_eye_hand/report/explanation.h"
 #include "monocular_eye_hand/report/result_drawing.h"
-#include "result_output.h"
-#include "support.h"
+#include "tools/result_output.h"
+#include "tools/support.h"
 
 namespace monocular_eye_hand {
 namespace {

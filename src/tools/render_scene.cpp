@@ -6,13 +6,15 @@
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "bop_output.h"
-#include "demo_scenes.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/camera_file.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
+#include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
+#include "tools/bop_output.h"
+#include "tools/demo_scenes.h"
 
 namespace meh = monocular_eye_hand;
 namespace fs = std::filesystem;

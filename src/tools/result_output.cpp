@@ -1,4 +1,4 @@
-#include "result_output.h"
+#include "tools/result_output.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "support.h"
+#include "tools/support.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "traced_truths.h"
+#include "tools/traced_truths.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "random_arm.h"
 #include "urdf_world.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "urdf_world.h"
 
 namespace monocular_eye_hand {

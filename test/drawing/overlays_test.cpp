@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/build_model.h"
 
 using namespace monocular_eye_hand;
 

@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "monocular_eye_hand/evaluation/pose_error.h"
+#include "evaluation/pose_error.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "small_dataset.h"
 
 namespace monocular_eye_hand {

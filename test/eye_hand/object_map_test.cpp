@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/eye_hand/object_map.h"
 
+#include <functional>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

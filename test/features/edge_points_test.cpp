@@ -2,10 +2,10 @@
 
 #include <random>
 
-#include "monocular_eye_hand/features/edge_detection.h"
-#include "monocular_eye_hand/features/ellipse_fitting.h"
+#include "features/edge_detection.h"
+#include "features/ellipse_fitting.h"
+#include "features/line_fitting.h"
 #include "monocular_eye_hand/features/gradient.h"
-#include "monocular_eye_hand/features/line_fitting.h"
 #include "synthetic.h"
 
 namespace monocular_eye_hand {

@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "monocular_eye_hand/features/ellipse_fitting.h"
+#include "features/ellipse_fitting.h"
 #include "monocular_eye_hand/features/features.h"
 #include "synthetic.h"
 

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/features/undistortion.h"
+#include "features/undistortion.h"
 
 #include <gtest/gtest.h>
 

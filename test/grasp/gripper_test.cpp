@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "grasp/boxes.h"
-#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/arm/load_arm_description.h"
 
 namespace monocular_eye_hand {
 namespace {

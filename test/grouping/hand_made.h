@@ -3,8 +3,8 @@
 #include <random>
 #include <vector>
 
+#include "grouping/segment_ends.h"
 #include "monocular_eye_hand/grouping/grouping.h"
-#include "monocular_eye_hand/grouping/segment_ends.h"
 
 // Models and features made by hand, so that these tests depend on no other room's algorithms.
 namespace monocular_eye_hand::hand_made {

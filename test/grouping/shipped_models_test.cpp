@@ -4,6 +4,7 @@
 
 #include "hand_made.h"
 #include "monocular_eye_hand/model/contour.h"
+#include "monocular_eye_hand/model/model_base.h"
 
 // The models that ship with the package, seen from random sides: bridges and frames have concave corners,
 // openings and holes that a box has not.

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "monocular_eye_hand/geometry/covariance.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/free_turns.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "shapes.h"
 
 namespace monocular_eye_hand {

@@ -9,8 +9,9 @@
 #include <random>
 #include <tuple>
 
+#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/closest_point.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "shapes.h"
 
 namespace monocular_eye_hand {

@@ -4,7 +4,8 @@
 
 #include "model_checks.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "shapes.h"
 
 namespace monocular_eye_hand {

@@ -7,6 +7,8 @@
 #include <cstring>
 
 #include "mesh_file.h"
+#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -22,6 +22,8 @@
 #include "mesh_file.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/camera_file.h"
+#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/options/options.h"
 

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "mesh_file.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {

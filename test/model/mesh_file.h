@@ -9,7 +9,7 @@
 #include <string>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "shapes.h"
 
 namespace monocular_eye_hand {

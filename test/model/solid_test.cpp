@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -4,7 +4,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "shapes.h"
 
 namespace monocular_eye_hand {

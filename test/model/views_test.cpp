@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/characteristic_views.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "shapes.h"
 
 namespace monocular_eye_hand {

@@ -1,5 +1,6 @@
 #pragma once
-#include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/eye_hand/object_view.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/arm_state.h"
 #include "nodes/conversion.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "nodes/planner_scene.h"
 
 namespace monocular_eye_hand {

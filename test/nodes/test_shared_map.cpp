@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cube_on_table.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "nodes/shared_map.h"
 
 namespace monocular_eye_hand {

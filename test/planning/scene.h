@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/arm/load_arm_description.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/planning/pick_planner.h"
 
 namespace monocular_eye_hand {

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <random>
+#include "monocular_eye_hand/pose/refine.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/pose/matches.h"
 #include "random_pose.h"
 
 namespace monocular_eye_hand {

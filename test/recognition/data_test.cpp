@@ -8,6 +8,7 @@
 #include "monocular_eye_hand/evaluation/dataset.h"
 #include "monocular_eye_hand/evaluation/scores.h"
 #include "monocular_eye_hand/model/equal_poses.h"
+#include "monocular_eye_hand/model/model_base.h"
 #include "world.h"
 
 namespace monocular_eye_hand {

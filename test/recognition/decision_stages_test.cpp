@@ -4,6 +4,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/simulation/render.h"
 #include "recognition/hypotheses.h"
 #include "recognition/judging.h"
 #include "recognition/nearby_poses.h"

@@ -3,6 +3,8 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/look_at.h"
+#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/simulation/render.h"
 #include "world.h"
 
 namespace monocular_eye_hand {

@@ -2,6 +2,9 @@
 
 #include <set>
 
+#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/simulation/render.h"
 #include "recognition/constellation.h"
 #include "verified.h"
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "monocular_eye_hand/model/build_model.h"
 #include "recognition/verification.h"
 #include "world.h"
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/pose_error.h"
 #include "monocular_eye_hand/evaluation/grey_image.h"
-#include "monocular_eye_hand/evaluation/pose_error.h"
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/model/equal_poses.h"
+#include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
-#include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
 #include "recognition/reporting.h"
 

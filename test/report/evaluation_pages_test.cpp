@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/build_model.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -11,7 +11,9 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/report/result_drawing.h"
+#include "report/html.h"
 
 using namespace monocular_eye_hand;
 namespace fs = std::filesystem;

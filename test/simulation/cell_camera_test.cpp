@@ -1,4 +1,5 @@
 #include "monocular_eye_hand/simulation/cell_camera.h"
+#include "monocular_eye_hand/simulation/render.h"
 
 #include <opencv2/imgproc.hpp>
 

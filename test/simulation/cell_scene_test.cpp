@@ -7,7 +7,7 @@
 
 #include "cell_world.h"
 #include "monocular_eye_hand/options/options.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
+#include "simulation/footprint.h"
 
 using namespace monocular_eye_hand;
 

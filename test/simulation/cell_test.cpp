@@ -1,4 +1,5 @@
 #include "monocular_eye_hand/simulation/cell.h"
+#include "monocular_eye_hand/simulation/cell_scene.h"
 
 #include <Eigen/Geometry>
 

@@ -4,8 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/simulation/cell.h"
+#include "monocular_eye_hand/simulation/cell_scene.h"
 
 // The default cell with the shipped arm and parts, and a hand to drive it.
 namespace monocular_eye_hand {

@@ -10,6 +10,7 @@
 #include <opencv2/core.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/simulation/render.h"
 
 using namespace monocular_eye_hand;
 

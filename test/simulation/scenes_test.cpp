@@ -11,8 +11,8 @@
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/model/stable_poses.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
-#include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
+#include "simulation/footprint.h"
 
 using namespace monocular_eye_hand;
 

@@ -3,8 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <utility>
 
-#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {

@@ -10,8 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
+#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
 

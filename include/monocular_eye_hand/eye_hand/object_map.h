@@ -1,142 +1,18 @@
 #pragma once
+#include <Eigen/Core>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "monocular_eye_hand/eye_hand/chain.h"
 #include "monocular_eye_hand/eye_hand/known_space.h"
-#include "monocular_eye_hand/geometry/camera.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/eye_hand/object_map_options.h"
+#include "monocular_eye_hand/eye_hand/object_view.h"
+#include "monocular_eye_hand/geometry/rigid3.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
-
-/// Defaults stand here and nowhere else.
-struct ObjectMapOptions {
-  ArmErrorOptions arm;
-  HandEyeErrorOptions hand_eye;  ///< used when the view brings no covariance of its own
-  double min_probability = 0.5;  ///< what recognition trusts less is left out
-  /// Sigma of what CAD and part differ by, each axis: added to every view's own part, and once more to the
-  /// merged pose, where no number of views takes it away [m].
-  double floor_position = 1e-4;
-  double floor_rotation = 1e-3;  ///< the same about each axis [rad]
-  double gate = 30;              ///< chi-square (6 degrees of freedom) beyond which a view is an outlier
-  double same_place = 0.5;       ///< two of a name are one when their centres are nearer than this share of
-                                 ///< the smallest side of the part's box: parts do not lie inside each other;
-                                 ///< of obstacles, nearer along each side than this share of it
-  double max_distance = 0.05;    ///< or nearer than this and inside the gate [m]
-  int outliers_to_restart = 2;   ///< so many outliers in a row that agree: the object was moved
-  double min_motion = 0.01;      ///< views from nearer camera places share their errors [m] ...
-  double min_turn = 0.03;        ///< ... unless the camera turned by this [rad]: they are not averaged
-  int most_views = 200;          ///< merged per object; more tell nothing new
-  double overlap_depth = 0.004;  ///< two objects that reach into each other deeper are not both there [m]
-  /// What reaches deeper than this, and known_sigmas of its pose, into table, walls or the hand is not there
-  /// [m].
-  double known_depth = 0.004;
-  double known_sigmas = 3;
-  int forget_after_misses = 5;  ///< views in a row that should have shown an object and did not
-  double expected_share = 0.7;  ///< of an object must be in view and free for that ...
-  double expected_size = 40;    ///< ... at this size in the image at least [px] ...
-  double expected_border = 5;   ///< ... this far from the image's border [px] ...
-  /// ... and its centre where recognition looks for objects (min_distance, max_distance of its options, none
-  /// nearer than its diameter) [m].
-  double expected_nearest = 0.05, expected_farthest = 2.5;
-
-  void check() const;  ///< throws BadInput naming field, value and rule
-  template <class Visitor>
-  void visit(Visitor&& v) {
-    v("arm", arm);
-    v("hand_eye", hand_eye);
-    v("min_probability", min_probability);
-
-    v("floor_position", floor_position);
-    v("floor_rotation", floor_rotation);
-    v("gate", gate);
-    v("same_place", same_place);
-    v("max_distance", max_distance);
-
-    v("outliers_to_restart", outliers_to_restart);
-    v("min_motion", min_motion);
-    v("min_turn", min_turn);
-    v("most_views", most_views);
-    v("overlap_depth", overlap_depth);
-    v("forget_after_misses", forget_after_misses);
-    v("known_depth", known_depth);
-    v("known_sigmas", known_sigmas);
-
-    v("expected_share", expected_share);
-    v("expected_size", expected_size);
-    v("expected_border", expected_border);
-    v("expected_nearest", expected_nearest);
-    v("expected_farthest", expected_farthest);
-  }
-};
-
-/// What recognition says of one object in one image.
-struct SeenObject {
-  int object = -1;  ///< ModelBase::objects
-  Rigid3 camera_from_object;
-  Matrix6d covariance = Matrix6d::Zero();  ///< camera axes; see docs/conventions.md
-  double probability = 1;
-};
-
-/// One image's objects and where the camera was.
-struct ObjectView {
-  double stamp = 0;  ///< of the image [s]
-  HandPose hand;     ///< at that stamp
-  HandEye hand_eye;  ///< covariance zero: ObjectMapOptions::hand_eye stands in
-  Camera camera;
-  KnownSpace known;  ///< at that stamp
-  /// What is missing counts: every object was looked for, the search ended by itself, the camera stood, and
-  /// no hand was in the way.
-  bool complete = true;
-  std::vector<SeenObject> objects;
-};
-
-/// An object as all views together know it.
-struct MappedObject {
-  int object = -1;  ///< ModelBase::objects
-  std::string name;
-  int number = 0;  ///< counts from 0 per name; stays; is not given again before clear()
-  Rigid3 base_from_object;
-  Matrix6d covariance = Matrix6d::Zero();        ///< base axes: image and common part
-  Matrix6d image_covariance = Matrix6d::Zero();  ///< the part that more views shrink
-  bool free_axis = false;                        ///< the rotation about the model's axis has no meaning
-  double probability = 0;                        ///< the best of its views
-  int views = 0;                                 ///< merged
-  /// In a row: views that should have shown it and did not. From a camera place that never showed it they
-  /// count once.
-  int misses = 0;
-  int outliers = 0;                        ///< in a row: views that contradict this pose
-  double first_stamp = 0, last_stamp = 0;  ///< of the views that showed it [s]
-};
-
-enum class ViewOutcome {
-  kNew,        ///< an object not known before
-  kMerged,     ///< made a known one more exact
-  kSeenAgain,  ///< confirms a known one from where it was seen already
-  kRestarted,  ///< the known one was moved: its earlier views are dropped
-  kOutlier,    ///< contradicts a known one: not used
-  kRefused     ///< not used at all
-};
-const char* name(ViewOutcome outcome);
-
-/// What became of one SeenObject.
-struct ViewDecision {
-  ViewOutcome outcome = ViewOutcome::kRefused;
-  int object = -1;          ///< ModelBase::objects
-  int number = -1;          ///< of the mapped object concerned; -1: none
-  double chi_square = -1;   ///< against the mapped object; -1: none
-  std::string reason;       ///< for people
-  bool impossible = false;  ///< refused, since it reaches into known space
-};
-
-struct ViewReport {
-  std::string refused;                  ///< the whole view was not used: why; empty: it was
-  std::vector<ViewDecision> decisions;  ///< one per ObjectView::objects
-  std::vector<MappedObject> forgotten;  ///< as last known
-};
 
 /// The objects on the table in the base frame, merged over the views of a moving camera. Same views in the
 /// same order, same map.

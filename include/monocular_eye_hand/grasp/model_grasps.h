@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/grasp/gripper.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
 

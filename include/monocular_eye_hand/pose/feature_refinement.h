@@ -1,8 +1,9 @@
 #pragma once
 #include <vector>
 
+#include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/pose/edge_profile.h"
-#include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/pose/matches.h"
 
 namespace monocular_eye_hand {
 

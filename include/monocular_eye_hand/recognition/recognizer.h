@@ -2,7 +2,7 @@
 #include <memory>
 #include <opencv2/core.hpp>
 
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 #include "monocular_eye_hand/recognition/options.h"
 

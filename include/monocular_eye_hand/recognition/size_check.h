@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/geometry/camera.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/recognition/options.h"
 
 namespace monocular_eye_hand {

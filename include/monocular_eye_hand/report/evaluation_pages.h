@@ -7,7 +7,7 @@
 #include "monocular_eye_hand/evaluation/breakdown.h"
 #include "monocular_eye_hand/evaluation/causes.h"
 #include "monocular_eye_hand/evaluation/lens.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 
 namespace monocular_eye_hand {
@@ -34,8 +34,5 @@ std::vector<std::string> writeFigures(const std::string& folder, const cv::Mat& 
 
 /// The image at the size that was searched (RecognitionResult::features.camera): itself, or made smaller.
 cv::Mat searchImage(const cv::Mat& grey, const Camera& searched);
-
-/// Text for HTML: & < > " ' replaced; bytes that are not UTF-8 and control characters become U+FFFD.
-std::string escapeHtml(const std::string& text);
 
 }  // namespace monocular_eye_hand

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/drawing/overlays.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 
 namespace monocular_eye_hand {

@@ -6,8 +6,8 @@
 
 #include "monocular_eye_hand/arm/arm_description.h"
 #include "monocular_eye_hand/simulation/cell_gripper.h"
+#include "monocular_eye_hand/simulation/cell_layout.h"
 #include "monocular_eye_hand/simulation/cell_motion.h"
-#include "monocular_eye_hand/simulation/cell_scene.h"
 
 namespace monocular_eye_hand {
 

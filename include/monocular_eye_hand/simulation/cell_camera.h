@@ -2,8 +2,10 @@
 #include <memory>
 #include <opencv2/core.hpp>
 
+#include "monocular_eye_hand/geometry/camera.h"
+#include "monocular_eye_hand/geometry/rigid3.h"
 #include "monocular_eye_hand/simulation/cell.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
 
 namespace monocular_eye_hand {
 

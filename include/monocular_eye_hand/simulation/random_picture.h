@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "monocular_eye_hand/geometry/camera.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/random_scene_options.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
 
 namespace monocular_eye_hand {
 

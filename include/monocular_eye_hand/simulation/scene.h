@@ -8,7 +8,7 @@
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/geometry/look_at.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
-#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/model/object_model.h"
 #include "monocular_eye_hand/simulation/finish.h"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/geometry/camera.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/rendered_image.h"
 #include "monocular_eye_hand/simulation/scene.h"
 
 namespace monocular_eye_hand {

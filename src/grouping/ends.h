@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "monocular_eye_hand/features/features.h"
-#include "monocular_eye_hand/grouping/grouping.h"
 
 namespace monocular_eye_hand {
 
@@ -39,7 +38,5 @@ inline Eigen::Vector2d endPoint(const FeatureSet& f, int end) {
 inline Eigen::Vector2d outward(const FeatureSet& f, int end) {
   return (endPoint(f, end) - endPoint(f, end ^ 1)).normalized();
 }
-
-EndMap mapEnds(const FeatureSet& features, const GroupingOptions& options);
 
 }  // namespace monocular_eye_hand

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "monocular_eye_hand/features/ellipse_fitting.h"
-#include "monocular_eye_hand/features/line_fitting.h"
-#include "monocular_eye_hand/features/linking.h"
+#include "features/ellipse_fitting.h"
+#include "features/line_fitting.h"
+#include "features/linking.h"
 
 namespace monocular_eye_hand {
 

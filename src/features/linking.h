@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "monocular_eye_hand/features/edge_detection.h"
+#include "features/edge_detection.h"
 
 namespace monocular_eye_hand {
 

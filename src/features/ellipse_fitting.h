@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "features/fit_points.h"
 #include "monocular_eye_hand/features/features.h"
-#include "monocular_eye_hand/features/fit_points.h"
 
 namespace monocular_eye_hand {
 

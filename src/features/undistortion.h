@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "monocular_eye_hand/features/linking.h"
+#include "features/linking.h"
 #include "monocular_eye_hand/geometry/camera.h"
 
 namespace monocular_eye_hand {

@@ -1,6 +1,6 @@
 #pragma once
-#include "monocular_eye_hand/model/model_base.h"
-#include "symmetry.h"
+#include "model/symmetry.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
 
