@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "monocular_eye_hand/grasp/plan_grasps.h"
+#include "monocular_eye_hand/grasp/grasp_plan.h"
 
 namespace monocular_eye_hand {
 

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/grasp/plan_grasps.h"
+#include "monocular_eye_hand/grasp/grasp_plan.h"
 
 namespace monocular_eye_hand {
 namespace {

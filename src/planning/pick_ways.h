@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "monocular_eye_hand/planning/pick_planner.h"
+#include "monocular_eye_hand/planning/pick_plan.h"
 
 namespace monocular_eye_hand {
 
