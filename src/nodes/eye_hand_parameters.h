@@ -5,8 +5,8 @@
 
 #include "monocular_eye_hand/arm/puma560.h"
 #include "monocular_eye_hand/eye_hand/object_map_options.h"
+#include "monocular_eye_hand/geometry/cell_box.h"
 #include "monocular_eye_hand/grasp/plan_grasps.h"
-#include "nodes/cell_box.h"
 
 namespace monocular_eye_hand {
 

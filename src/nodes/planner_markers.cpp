@@ -38,7 +38,7 @@ void setSize(double x, double y, double z, Marker* marker) {
 }
 
 Marker tableMarker(const PlannerParameters& parameters) {
-  const PlannerTable& table = parameters.table;
+  const WorkTable& table = parameters.table;
   Marker marker = begin(parameters, "table", 0, Marker::CUBE);
   marker.pose = toPose(upright(table.x, table.y, table.z - table.thickness / 2, table.yaw));
   setSize(table.length, table.width, table.thickness, &marker);

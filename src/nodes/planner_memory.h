@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "monocular_eye_hand/execution/scene_memory.h"
 #include "monocular_eye_hand/planning/pick_planner.h"
-#include "nodes/planner_scene.h"
 
 namespace monocular_eye_hand {
 

@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/execution/drop_zone.h"
+#include "monocular_eye_hand/execution/scene_memory.h"
 #include "monocular_eye_hand/planning/move_planner.h"
-#include "nodes/drop_places.h"
 #include "nodes/planner_memory.h"
-#include "nodes/planner_scene.h"
+#include "nodes/planner_parameters.h"
 #include "nodes/robot_driver.h"
 
 namespace monocular_eye_hand {
@@ -32,8 +33,8 @@ class PlannerWork {
 
   const ToolArm& arm() const { return arm_; }
   RobotDriver& driver() { return driver_; }
-  PlannerScene& scene() { return scene_; }
-  std::vector<std::string> see(const std::vector<PlacedObject>& objects);  ///< PlannerScene::see
+  SceneMemory& scene() { return scene_; }
+  std::vector<std::string> see(const std::vector<PlacedObject>& objects);  ///< SceneMemory::see
 
   ActionResult pick(const PickGoal& goal, const WorkWatch& watch);
   ActionResult place(const PlaceGoal& goal, const WorkWatch& watch);
@@ -102,7 +103,7 @@ class PlannerWork {
   const ArmDescription description_;
   const ToolArm arm_;
   const std::vector<DropPlace> places_;
-  PlannerScene scene_;
+  SceneMemory scene_;
   RobotDriver driver_;
   bool seen_ = false, recalled_ = false;
   std::optional<Held> held_;

@@ -143,7 +143,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
   ros::WallTime told;
   std::unique_lock<std::mutex> lock(mutex_);
   for (bool on = true; on;) {
-    const TrajectoryFollower::State state = follower_->state();
+    const TrajectoryMonitor::State state = follower_->state();
     const std::string silent = silentJoints(), silent_gripper = watch.lost ? silentGripper() : "";
     const std::string lost = watch.lost && gripper_ ? watch.lost(*gripper_) : "";
     const double progress = follower_->progress();
@@ -152,7 +152,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
     on = false;
     if (!ros::ok() || watch.cancelled())
       drive = stopped(ActionOutcome::kCancelled, "cancelled");
-    else if (state == TrajectoryFollower::State::kFailed)
+    else if (state == TrajectoryMonitor::State::kFailed)
       drive = stopped(ActionOutcome::kFault, failure);
     else if (!silent.empty())
       drive = stopped(ActionOutcome::kFault, silent);
@@ -161,7 +161,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
     else if (!lost.empty())
       drive = stopped(ActionOutcome::kGraspLost, lost);
     else
-      on = state != TrajectoryFollower::State::kArrived;
+      on = state != TrajectoryMonitor::State::kArrived;
     if (watch.feedback && (!on || ros::WallTime::now() - told > feedback_period_)) {
       watch.feedback(progress);
       told = ros::WallTime::now();

@@ -10,10 +10,10 @@
 #include <string>
 
 #include "monocular_eye_hand/arm/action_outcome.h"
+#include "monocular_eye_hand/execution/trajectory_monitor.h"
 #include "nodes/arm_state.h"
 #include "nodes/moment.h"
 #include "nodes/planner_conversion.h"
-#include "nodes/trajectory_follower.h"
 
 namespace monocular_eye_hand {
 
@@ -76,7 +76,7 @@ class RobotDriver {
   std::optional<GripperState> gripper_;
   ArmStates arm_states_;
   Moment joints_at_, gripper_at_;
-  std::optional<TrajectoryFollower> follower_;
+  std::optional<TrajectoryMonitor> follower_;
   double motion_time_ = 0;
   ros::NodeHandle node_;
   ros::Publisher arm_command_, gripper_command_;

@@ -1,4 +1,4 @@
-#include "nodes/cell_box.h"
+#include "monocular_eye_hand/geometry/cell_box.h"
 
 #include <cmath>
 #include <set>

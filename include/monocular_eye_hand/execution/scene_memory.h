@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/execution/options.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
 #include "monocular_eye_hand/model/object_model.h"
 #include "monocular_eye_hand/planning/collision_world.h"
-#include "nodes/planner_parameters.h"
 
 namespace monocular_eye_hand {
 
@@ -21,12 +21,13 @@ struct PlacedObject {
   std::string label() const { return name + " " + std::to_string(instance); }  ///< its name in the world
 };
 
-/// What stands around the arm: table, boxes, the objects that eye-hand knows, and what the planner itself put
-/// down and nobody sees.
-class PlannerScene {
+/// What stands around the arm: table, boxes, the objects that eye-hand knows, and what was put
+/// down by this arm and nobody sees. All poses are in base_link.
+class SceneMemory {
  public:
-  /// Reads the meshes of the model base. Throws BadInput on what is broken in it.
-  PlannerScene(const ArmDescription& arm, const PlannerParameters& parameters);
+  /// Table and boxes are those of the options. Reads the meshes of the model base; throws BadInput on what is
+  /// broken in it.
+  SceneMemory(const ArmDescription& arm, const ExecutorOptions& options);
 
   bool knows(const std::string& name) const { return meshes_.count(name) > 0; }
   std::string names() const;  ///< "bridge, grenade, ..." for messages

@@ -1,4 +1,4 @@
-#include "nodes/trajectory_follower.h"
+#include "monocular_eye_hand/execution/trajectory_monitor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +21,20 @@ std::string farthest(const JointVector& a, const JointVector& b) {
 
 }  // namespace
 
-TrajectoryFollower::TrajectoryFollower(const Trajectory& trajectory, double start,
-                                       const FollowOptions& options)
+TrajectoryMonitor::TrajectoryMonitor(const Trajectory& trajectory, double start, const FollowOptions& options)
     : trajectory_(trajectory), start_(start), options_(options) {}
 
-double TrajectoryFollower::progress() const {
+double TrajectoryMonitor::progress() const {
   const double duration = trajectory_.duration();
   return state_ == State::kArrived || duration <= 0 ? 1 : std::min(1.0, at_ / duration);
 }
 
-TrajectoryFollower::State TrajectoryFollower::fail(const std::string& reason) {
+TrajectoryMonitor::State TrajectoryMonitor::fail(const std::string& reason) {
   reason_ = reason;
   return state_ = State::kFailed;
 }
 
-void TrajectoryFollower::advance(double stamp, const JointVector& joints) {
+void TrajectoryMonitor::advance(double stamp, const JointVector& joints) {
   const double latest = std::min(trajectory_.duration(), stamp - start_ + kAhead);
   const auto off = [&](double t) { return (trajectory_.sample(t).position - joints).squaredNorm(); };
   double best = at_, least = off(at_);
@@ -46,7 +45,7 @@ void TrajectoryFollower::advance(double stamp, const JointVector& joints) {
   at_ = std::max(at_, best);
 }
 
-TrajectoryFollower::State TrajectoryFollower::update(double stamp, const JointVector& joints, double speed) {
+TrajectoryMonitor::State TrajectoryMonitor::update(double stamp, const JointVector& joints, double speed) {
   if (state_ != State::kMoving || stamp < start_) return state_;
   advance(stamp, joints);
   std::ostringstream text;

@@ -1,19 +1,19 @@
 #pragma once
 #include <string>
 
+#include "monocular_eye_hand/execution/options.h"
 #include "monocular_eye_hand/planning/trajectory.h"
-#include "nodes/planner_parameters.h"
 
 namespace monocular_eye_hand {
 
 /// Watches joint states while a trajectory runs: how far it is, whether it arrived, whether something is
 /// wrong. The arm may start late and lag: what counts is the path, until the lag is too long.
-class TrajectoryFollower {
+class TrajectoryMonitor {
  public:
   enum class State { kMoving, kArrived, kFailed };
 
   /// The command is given at `start` [s]; stamps of earlier joint states do not count.
-  TrajectoryFollower(const Trajectory& trajectory, double start, const FollowOptions& options);
+  TrajectoryMonitor(const Trajectory& trajectory, double start, const FollowOptions& options);
   /// `speed` is the largest of the joints [rad/s].
   State update(double stamp, const JointVector& joints, double speed);
   State state() const { return state_; }

@@ -3,20 +3,20 @@
 #include <algorithm>
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
-#include "nodes/planner_scene.h"
+#include "monocular_eye_hand/execution/scene_memory.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 const std::string kSource = MONOCULAR_EYE_HAND_SOURCE_DIR;
 
-PlannerScene makeScene() {
-  PlannerParameters parameters;
-  parameters.objects = kSource + "/config/objects.yaml";
-  parameters.boxes.resize(1);
-  parameters.boxes[0].name = "post";
-  parameters.boxes[0].size = {{0.1, 0.1, 0.1}};
-  return PlannerScene(loadArmDescription(kSource + "/urdf/puma560.urdf"), parameters);
+SceneMemory makeScene() {
+  ExecutorOptions options;
+  options.objects = kSource + "/config/objects.yaml";
+  options.boxes.resize(1);
+  options.boxes[0].name = "post";
+  options.boxes[0].size = {{0.1, 0.1, 0.1}};
+  return SceneMemory(loadArmDescription(kSource + "/urdf/puma560.urdf"), options);
 }
 
 PlacedObject bridge(int instance, double x, double y) {
@@ -27,8 +27,8 @@ PlacedObject bridge(int instance, double x, double y) {
 
 using Names = std::vector<std::string>;
 
-TEST(PlannerScene, HoldsWhatIsSeen) {
-  PlannerScene scene = makeScene();
+TEST(SceneMemory, HoldsWhatIsSeen) {
+  SceneMemory scene = makeScene();
   EXPECT_EQ(scene.world({}).names(), (Names{"table", "post"}));
   PlacedObject unknown = bridge(0, 0.5, 0);
   unknown.name = "teapot";
@@ -39,8 +39,8 @@ TEST(PlannerScene, HoldsWhatIsSeen) {
   EXPECT_NE(scene.names().find("grenade"), std::string::npos);
 }
 
-TEST(PlannerScene, TheSubjectStandsWhereItIsSaidToStand) {
-  PlannerScene scene = makeScene();
+TEST(SceneMemory, TheSubjectStandsWhereItIsSaidToStand) {
+  SceneMemory scene = makeScene();
   // The same bridge under two numbers, and another one.
   scene.see({bridge(0, 0.5, 0), bridge(1, 0.505, 0.002), bridge(2, 0.6, 0.1)});
   const CollisionWorld world = scene.world(bridge(0, 0.51, 0));
@@ -48,8 +48,8 @@ TEST(PlannerScene, TheSubjectStandsWhereItIsSaidToStand) {
   EXPECT_EQ(world.pose("bridge 0").translation.x(), 0.51);
 }
 
-TEST(PlannerScene, RemembersWhatNobodySees) {
-  PlannerScene scene = makeScene();
+TEST(SceneMemory, RemembersWhatNobodySees) {
+  SceneMemory scene = makeScene();
   scene.putDown(2, bridge(0, 0.4, 0.3));
   EXPECT_EQ(scene.world({}).names(), (Names{"table", "post", "bridge at place 2"}));
   scene.see({bridge(5, 0.41, 0.3)});
@@ -64,8 +64,8 @@ TEST(PlannerScene, RemembersWhatNobodySees) {
   EXPECT_EQ(scene.remembered(), 0u);
 }
 
-TEST(PlannerScene, APlaceThatIsSaidToBeFree) {
-  PlannerScene scene = makeScene();
+TEST(SceneMemory, APlaceThatIsSaidToBeFree) {
+  SceneMemory scene = makeScene();
   scene.putDown(2, bridge(0, 0.4, 0.3));
   EXPECT_EQ(scene.world(bridge(1, 0.5, 0), 2).names(), (Names{"table", "post", "bridge 1"}));
   EXPECT_EQ(scene.world(bridge(1, 0.5, 0), 1).names(),
@@ -75,8 +75,8 @@ TEST(PlannerScene, APlaceThatIsSaidToBeFree) {
       << "somebody sees that it is not";
 }
 
-TEST(PlannerScene, WhatTheCameraSeesInTheHandIsNoObstacle) {
-  PlannerScene scene = makeScene();
+TEST(SceneMemory, WhatTheCameraSeesInTheHandIsNoObstacle) {
+  SceneMemory scene = makeScene();
   PlacedObject lifted = bridge(0, 0.5, 0);
   lifted.base_from_object.translation.z() += 0.1;
   PlacedObject ghost = lifted;

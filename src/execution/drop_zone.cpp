@@ -1,4 +1,4 @@
-#include "nodes/drop_places.h"
+#include "monocular_eye_hand/execution/drop_zone.h"
 
 #include <algorithm>
 #include <cmath>

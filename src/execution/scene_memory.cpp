@@ -1,4 +1,4 @@
-#include "nodes/planner_scene.h"
+#include "monocular_eye_hand/execution/scene_memory.h"
 
 #include <algorithm>
 
@@ -14,21 +14,21 @@ std::string placeLabel(const PlacedObject& object, int place) {
   return object.name + " at place " + std::to_string(place);
 }
 
-CollisionWorld fixedWorld(const ArmDescription& arm, const PlannerParameters& parameters) {
+CollisionWorld fixedWorld(const ArmDescription& arm, const ExecutorOptions& options) {
   CollisionWorld world(arm);
-  const PlannerTable& table = parameters.table;
+  const WorkTable& table = options.table;
   world.addBox("table", {table.length, table.width, table.thickness},
                poseOf(table.x, table.y, table.z - table.thickness / 2, 0, 0, table.yaw));
-  for (const CellBox& box : parameters.boxes)
+  for (const CellBox& box : options.boxes)
     world.addBox(box.name, {box.size[0], box.size[1], box.size[2]}, box.baseFromBox());
   return world;
 }
 
 }  // namespace
 
-PlannerScene::PlannerScene(const ArmDescription& arm, const PlannerParameters& parameters)
-    : bare_(fixedWorld(arm, parameters)) {
-  for (const ObjectEntry& entry : readObjectEntries(parameters.objects)) {
+SceneMemory::SceneMemory(const ArmDescription& arm, const ExecutorOptions& options)
+    : bare_(fixedWorld(arm, options)) {
+  for (const ObjectEntry& entry : readObjectEntries(options.objects)) {
     ModelOptions welded = entry.options;
     welded.find_symmetries = false;
     meshes_.emplace(entry.name,
@@ -36,7 +36,7 @@ PlannerScene::PlannerScene(const ArmDescription& arm, const PlannerParameters& p
   }
 }
 
-PlannerScene::Shape PlannerScene::shapeOf(Mesh mesh) {
+SceneMemory::Shape SceneMemory::shapeOf(Mesh mesh) {
   Shape shape;
   Eigen::AlignedBox3d bounds;
   for (const Eigen::Vector3d& vertex : mesh.vertices) bounds.extend(vertex);
@@ -47,7 +47,7 @@ PlannerScene::Shape PlannerScene::shapeOf(Mesh mesh) {
   return shape;
 }
 
-void PlannerScene::learnBox(const std::string& name, const Eigen::Vector3d& size) {
+void SceneMemory::learnBox(const std::string& name, const Eigen::Vector3d& size) {
   Mesh box;
   for (int k = 0; k < 8; ++k)
     box.vertices.push_back(size.cwiseProduct(Eigen::Vector3d(k & 1, k >> 1 & 1, k >> 2)) - size / 2);
@@ -56,29 +56,29 @@ void PlannerScene::learnBox(const std::string& name, const Eigen::Vector3d& size
   meshes_.insert_or_assign(name, shapeOf(std::move(box)));
 }
 
-std::string PlannerScene::names() const {
+std::string SceneMemory::names() const {
   std::string names;
   for (const auto& entry : meshes_) names += (names.empty() ? "" : ", ") + entry.first;
   return names;
 }
 
-Eigen::Vector3d PlannerScene::centre(const PlacedObject& object) const {
+Eigen::Vector3d SceneMemory::centre(const PlacedObject& object) const {
   return object.base_from_object * meshes_.at(object.name).centre;
 }
 
 /// Two poses of one thing: its views differ by less than half of its smallest side.
-bool PlannerScene::same(const PlacedObject& a, const PlacedObject& b) const {
+bool SceneMemory::same(const PlacedObject& a, const PlacedObject& b) const {
   return a.name == b.name && (centre(a) - centre(b)).norm() < meshes_.at(a.name).smallest / 2;
 }
 
 /// Something is seen where one thing is remembered; its like may have been pushed or turned a little.
-bool PlannerScene::standsAt(const PlacedObject& other, const PlacedObject& remembered) const {
+bool SceneMemory::standsAt(const PlacedObject& other, const PlacedObject& remembered) const {
   const Shape& shape = meshes_.at(remembered.name);
   const double distance = (centre(other) - centre(remembered)).norm();
   return distance < (other.name == remembered.name ? shape.radius : shape.smallest / 2);
 }
 
-std::vector<std::string> PlannerScene::see(const std::vector<PlacedObject>& objects) {
+std::vector<std::string> SceneMemory::see(const std::vector<PlacedObject>& objects) {
   seen_.clear();
   std::vector<std::string> unknown;
   for (const PlacedObject& object : objects)
@@ -92,8 +92,8 @@ std::vector<std::string> PlannerScene::see(const std::vector<PlacedObject>& obje
   return unknown;
 }
 
-CollisionWorld PlannerScene::world(const std::optional<PlacedObject>& subject, int free_place,
-                                   const std::optional<PlacedObject>& in_hand) const {
+CollisionWorld SceneMemory::world(const std::optional<PlacedObject>& subject, int free_place,
+                                  const std::optional<PlacedObject>& in_hand) const {
   CollisionWorld world = bare_;
   const auto add = [&](const std::string& label, const PlacedObject& object) {
     if (!world.has(label)) world.addMesh(label, mesh(object.name), object.base_from_object);
@@ -115,7 +115,7 @@ CollisionWorld PlannerScene::world(const std::optional<PlacedObject>& subject, i
   return world;
 }
 
-std::vector<std::string> PlannerScene::labels(const PlacedObject& object) const {
+std::vector<std::string> SceneMemory::labels(const PlacedObject& object) const {
   std::vector<std::string> labels{object.label()};
   for (const PlacedObject& other : seen_)
     if (standsAt(other, object)) labels.push_back(other.label());
@@ -124,11 +124,11 @@ std::vector<std::string> PlannerScene::labels(const PlacedObject& object) const 
   return labels;
 }
 
-void PlannerScene::takeAway(const PlacedObject& object) {
+void SceneMemory::takeAway(const PlacedObject& object) {
   for (auto entry = placed_.begin(); entry != placed_.end();)
     entry = standsAt(object, entry->second) ? placed_.erase(entry) : std::next(entry);
 }
 
-void PlannerScene::putDown(int place, const PlacedObject& object) { placed_[place] = object; }
+void SceneMemory::putDown(int place, const PlacedObject& object) { placed_[place] = object; }
 
 }  // namespace monocular_eye_hand

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
+#include "monocular_eye_hand/execution/options.h"
 #include "monocular_eye_hand/model/object_model.h"
 #include "monocular_eye_hand/planning/pick_planner.h"
-#include "nodes/planner_parameters.h"
 
 namespace monocular_eye_hand {
 
