@@ -47,6 +47,19 @@ JointVector fromArray(const boost::array<double, 6>& joints) {
   return Eigen::Map<const JointVector>(joints.data());
 }
 
+Matrix6d covarianceOf(const geometry_msgs::PoseWithCovariance& message) {
+  return Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(message.covariance.data());
+}
+
+void requireGraspOf(const MappedObject& asked, const std::string& base_frame, const GraspTarget& target) {
+  if (target.name != asked.name || target.instance != asked.number)
+    throw BadInput("eye_hand was asked for grasps of " + asked.name + " " + std::to_string(asked.number) +
+                   " and answered with one of " + target.name + " " + std::to_string(target.instance));
+  if (withoutSlash(target.header.frame_id) != base_frame)
+    throw BadInput("eye_hand plans grasps in the frame '" + target.header.frame_id + "', the task in '" +
+                   base_frame + "' (the parameters base_frame)");
+}
+
 }  // namespace
 
 MappedObject fromMessage(const LocatedObject& message, const ModelBase& models) {
@@ -58,8 +71,7 @@ MappedObject fromMessage(const LocatedObject& message, const ModelBase& models) 
   object.name = message.name;
   object.number = message.instance;
   object.base_from_object = poseOf(message.pose.pose, "the pose of " + message.name);
-  object.covariance =
-      Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(message.pose.covariance.data());
+  object.covariance = covarianceOf(message.pose);
   object.free_axis = message.free_axis;
   object.probability = message.probability;
   object.views = message.views;
@@ -76,6 +88,7 @@ GraspCandidate fromMessage(const GraspTarget& message) {
   grasp.part_width = message.width;
   grasp.opening = message.opening;
   grasp.approach = {message.approach.x, message.approach.y, message.approach.z};
+  grasp.branch = branchOf(message.branch);
   grasp.pregrasp_joints = fromArray(message.pregrasp_joints);
   grasp.grasp_joints = fromArray(message.grasp_joints);
   grasp.lift_joints = fromArray(message.retreat_joints);
@@ -84,6 +97,34 @@ GraspCandidate fromMessage(const GraspTarget& message) {
   grasp.quality = message.quality;
   grasp.source = message.reason;
   return grasp;
+}
+
+TaskGrasps fromMessage(const GraspTargetsResponse& response, const MappedObject& asked,
+                       const std::string& base_frame) {
+  TaskGrasps grasps;
+  grasps.object = asked;
+  grasps.plan.reason = response.text;
+  grasps.plan.too_uncertain = response.status == GraspTargetsResponse::TOO_UNCERTAIN;
+  if (response.status != GraspTargetsResponse::FOUND || response.targets.empty()) return grasps;
+
+  const GraspTarget& first = response.targets.front();
+  for (const GraspTarget& target : response.targets) {
+    requireGraspOf(asked, base_frame, target);
+    if (target.object != first.object)
+      throw BadInput("eye_hand planned the grasps of " + asked.name + " " + std::to_string(asked.number) +
+                     " for more than one pose of it");
+    grasps.plan.candidates.push_back(fromMessage(target));
+  }
+
+  grasps.object.base_from_object = poseOf(first.object.pose, "the pose of " + first.name);
+  grasps.object.covariance = covarianceOf(first.object);
+  grasps.object.last_stamp = first.header.stamp.toSec();
+  return grasps;
+}
+
+GraspTarget toMessage(const PlannedGrasp& planned, const std::string& base_frame) {
+  const ros::Time seen(planned.object.last_stamp);
+  return toMessage(toMessage(planned.object, seen, base_frame), planned.grasp);
 }
 
 ClearFrameResult toMessage(const TaskResult& result, const std::string& base_frame, double duration) {

@@ -344,31 +344,19 @@ bool RosTaskWorld::waitFor(ros::ServiceClient* service) const {
   return true;
 }
 
-GraspPlan RosTaskWorld::graspTargets(const MappedObject& object) {
-  GraspPlan plan;
+TaskGrasps RosTaskWorld::graspTargets(const MappedObject& object) {
   GraspTargets call;
   call.request.name = object.name;
   call.request.instance = object.number;
   if (!waitFor(&grasp_targets_) || !grasp_targets_.call(call))
     throw BadInput(std::string("the service ") + kGraspTargets +
                    " does not answer: is the node eye_hand running?");
-  targets_ = call.response.targets;
-  plan.reason = call.response.text;
-  plan.too_uncertain = call.response.status == GraspTargetsResponse::TOO_UNCERTAIN;
-  if (call.response.status != GraspTargetsResponse::FOUND) targets_.clear();
-  for (size_t i = 0; i < targets_.size(); ++i) {
-    plan.candidates.push_back(fromMessage(targets_[i]));
-    plan.candidates.back().model_grasp = int(i);
-  }
-  return plan;
+  return fromMessage(call.response, object, parameters_.base_frame);
 }
 
-ActionResult RosTaskWorld::pick(const MappedObject& object, const GraspCandidate& grasp) {
-  if (grasp.model_grasp < 0 || grasp.model_grasp >= int(targets_.size()) ||
-      targets_[size_t(grasp.model_grasp)].name != object.name)
-    return {ActionOutcome::kFault, "the grasp is none of the last asked for"};
+ActionResult RosTaskWorld::pick(const PlannedGrasp& planned) {
   PickGoal goal;
-  goal.target = targets_[size_t(grasp.model_grasp)];
+  goal.target = toMessage(planned, parameters_.base_frame);
   goal.place = place_;
   return execute(&pick_, kPick, goal, parameters_, cancelled_);
 }

@@ -39,8 +39,8 @@ class RosTaskWorld : public TaskWorld {
   ~RosTaskWorld() override;
 
   TaskLook look(const TaskView& view) override;
-  GraspPlan graspTargets(const MappedObject& object) override;
-  ActionResult pick(const MappedObject& object, const GraspCandidate& grasp) override;
+  TaskGrasps graspTargets(const MappedObject& object) override;
+  ActionResult pick(const PlannedGrasp& planned) override;
   TaskGrip grip() override;
   ActionResult carry(const MappedObject& object, int place) override;
   ActionResult open() override;
@@ -100,7 +100,6 @@ class RosTaskWorld : public TaskWorld {
   std::optional<JointVector> joints_;
   ArmStates arm_states_;
   Moment gripper_at_, joints_at_;
-  std::vector<GraspTarget> targets_;  // of the last graspTargets(); GraspCandidate::model_grasp counts in it
   std::thread asker_;
 };
 

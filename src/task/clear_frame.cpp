@@ -153,7 +153,7 @@ void ClearFrameTask::choose() {
       blocked.push_back(key);
       continue;
     }
-    const GraspPlan plan = world_->graspTargets(*known(key));
+    const GraspPlan plan = world_->graspTargets(*known(key)).plan;
     if (!plan.candidates.empty()) {
       progress.blocked.clear();
       if (plan.candidates.front().quality > best) {
@@ -274,23 +274,26 @@ bool ClearFrameTask::sure(const Key& key) {
 }
 
 GraspPlan ClearFrameTask::prepareGrasps(const MappedObject& object) {
-  GraspPlan plan = world_->graspTargets(object);
+  const TaskGrasps grasps = world_->graspTargets(object);
+
   std::vector<GraspCandidate> with_room;
-  for (const GraspCandidate& c : plan.candidates)
+  for (const GraspCandidate& c : grasps.plan.candidates)
     if (c.clearance() >= 0) with_room.push_back(c);
-  candidates_ = variedFirst(with_room, options_.candidates);
-  return plan;
+
+  candidates_.clear();
+  for (const GraspCandidate& c : variedFirst(with_room, options_.candidates))
+    candidates_.push_back({grasps.object, c});
+  return grasps.plan;
 }
 
 void ClearFrameTask::pick() {
   const Key key = *chosen_;
-  const MappedObject object = entry(key).object;
   std::string why;
 
   for (size_t k = 0; k < candidates_.size(); ++k) {
     tell("grasp " + std::to_string(k + 1) + " of " + std::to_string(candidates_.size()) + ", " +
-         candidates_[k].source);
-    const ActionResult result = world_->pick(object, candidates_[k]);
+         candidates_[k].grasp.source);
+    const ActionResult result = world_->pick(candidates_[k]);
     switch (result.outcome) {
       case ActionOutcome::kDone:
         ++entry(key).picks;

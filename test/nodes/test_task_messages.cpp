@@ -58,8 +58,114 @@ TEST(TaskMessages, AnObjectOfAnotherModelBaseIsRefused) {
   }
 }
 
+// What eye_hand answers when it is asked for the grasps of a bridge.
+GraspTargetsResponse answerFor(const MappedObject& bridge, const ros::Time& stamp) {
+  const LocatedObject object = toMessage(bridge, stamp, "base_link");
+  GraspTargetsResponse response;
+  response.status = GraspTargetsResponse::FOUND;
+  response.text = "two grasps";
+  for (int k = 0; k < 2; ++k) {
+    GraspCandidate grasp;
+    grasp.base_from_pregrasp = bridge.base_from_object * somePose(0.1);
+    grasp.base_from_grasp = bridge.base_from_object * somePose(0.2);
+    grasp.base_from_lift = bridge.base_from_object * somePose(0.3);
+    grasp.part_width = 0.03;
+    grasp.opening = 0.05;
+    grasp.approach = {0.6, 0, -0.8};
+    grasp.branch = {Shoulder::kLeft, Elbow::kDown, k == 0 ? Wrist::kNegative : Wrist::kPositive};
+    grasp.pregrasp_joints << 1, 2, 3, 4, 5, 6;
+    grasp.grasp_joints << 11, 12, 13, 14, 15, 16;
+    grasp.lift_joints << 21, 22, 23, 24, 25, 26;
+    grasp.free = 0.01;
+    grasp.needed = 0.004;
+    grasp.quality = 0.9 - 0.1 * k - 0.01 * bridge.number;
+    grasp.source = "faces " + std::to_string(k) + " of bridge " + std::to_string(bridge.number);
+    response.targets.push_back(toMessage(object, grasp));
+  }
+  return response;
+}
+
+MappedObject bridgeAt(double x, int number) {
+  MappedObject bridge = someObject();
+  bridge.object = 0;
+  bridge.name = "bridge";
+  bridge.number = number;
+  bridge.base_from_object = somePose(x);
+  return bridge;
+}
+
+std::string refusal(const GraspTargetsResponse& response, const MappedObject& asked) {
+  try {
+    fromMessage(response, asked, "base_link");
+  } catch (const BadInput& e) {
+    return e.what();
+  }
+  return "";
+}
+
+void expectSamePose(const geometry_msgs::Pose& a, const geometry_msgs::Pose& b) {
+  EXPECT_LT(difference(fromPose(a), fromPose(b)).norm(), 1e-12);
+}
+
+// Grasps of two bridges are asked for one after the other; that of the first is picked. Since they were
+// planned, the map has moved on (continuous), and the task has the pose of its last look.
+TEST(TaskMessages, TheGraspOfTheRightBridgeReachesThePlanner) {
+  const MappedObject planned_for[] = {bridgeAt(0.4, 0), bridgeAt(0.6, 1)};
+  const MappedObject last_look[] = {bridgeAt(0.41, 0), bridgeAt(0.61, 1)};
+  const GraspTargetsResponse answers[] = {answerFor(planned_for[0], ros::Time(20.5)),
+                                          answerFor(planned_for[1], ros::Time(20.75))};
+  const TaskGrasps grasps[] = {fromMessage(answers[0], last_look[0], "base_link"),
+                               fromMessage(answers[1], last_look[1], "base_link")};
+  for (size_t bridge = 0; bridge < 2; ++bridge)
+    for (size_t k = 0; k < 2; ++k) {
+      const PlannedGrasp chosen{grasps[bridge].object, grasps[bridge].plan.candidates.at(k)};
+      EXPECT_EQ(chosen.grasp.model_grasp, -1) << "the message does not tell it";
+      const GraspTarget& asked_for = answers[bridge].targets[k];
+      GraspTarget goal = toMessage(chosen, "base_link");
+      expectSamePose(goal.object.pose, asked_for.object.pose);
+      expectSamePose(goal.pregrasp, asked_for.pregrasp);
+      expectSamePose(goal.grasp, asked_for.grasp);
+      expectSamePose(goal.retreat, asked_for.retreat);
+
+      // All else is the same to the last bit.
+      goal.object.pose = asked_for.object.pose;
+      goal.pregrasp = asked_for.pregrasp;
+      goal.grasp = asked_for.grasp;
+      goal.retreat = asked_for.retreat;
+      EXPECT_EQ(goal, asked_for);
+    }
+  EXPECT_EQ(grasps[0].object.views, 7) << "the rest of the object is that of the last look";
+}
+
+TEST(TaskMessages, GraspsOfAnotherObjectFrameOrPoseAreRefused) {
+  const MappedObject zero = bridgeAt(0.4, 0), one = bridgeAt(0.6, 1);
+  const GraspTargetsResponse answer = answerFor(one, ros::Time(20.75));
+  EXPECT_EQ(refusal(answer, one), "");
+  EXPECT_THAT(refusal(answer, zero), HasSubstr("grasps of bridge 0 and answered with one of bridge 1"));
+  GraspTargetsResponse other = answer;
+  other.targets[1].header.frame_id = "world";
+  EXPECT_THAT(refusal(other, one), HasSubstr("in the frame 'world', the task in 'base_link'"));
+  other = answer;
+  other.targets[1].object.pose.position.x += 0.01;
+  EXPECT_THAT(refusal(other, one), HasSubstr("bridge 1 for more than one pose"));
+  other = answer;
+  other.targets[1].branch = "sideways";
+  EXPECT_THAT(refusal(other, one), HasSubstr("'sideways' is no branch of the arm"));
+}
+
+TEST(TaskMessages, NoGraspHasItsReason) {
+  GraspTargetsResponse response;
+  response.status = GraspTargetsResponse::TOO_UNCERTAIN;
+  response.text = "3 sigma need 9 mm";
+  const TaskGrasps grasps = fromMessage(response, bridgeAt(0.4, 0), "base_link");
+  EXPECT_TRUE(grasps.plan.candidates.empty());
+  EXPECT_TRUE(grasps.plan.too_uncertain);
+  EXPECT_EQ(grasps.plan.reason, "3 sigma need 9 mm");
+}
+
 TEST(TaskMessages, AGraspIsWhatItsMessageSays) {
   GraspTarget message;
+  message.branch = "left-down-negative";
   message.pregrasp = toPose(somePose(0.1));
   message.grasp = toPose(somePose(0.2));
   message.retreat = toPose(somePose(0.3));
@@ -84,6 +190,7 @@ TEST(TaskMessages, AGraspIsWhatItsMessageSays) {
   EXPECT_EQ(grasp.part_width, 0.04);
   EXPECT_EQ(grasp.opening, 0.06);
   EXPECT_EQ(grasp.approach, Eigen::Vector3d(0.6, 0, -0.8));
+  EXPECT_EQ(name(grasp.branch), "left-down-negative");
   EXPECT_DOUBLE_EQ(grasp.pregrasp_joints[5], 0.5);
   EXPECT_DOUBLE_EQ(grasp.grasp_joints[0], 1);
   EXPECT_DOUBLE_EQ(grasp.lift_joints[3], 2.3);

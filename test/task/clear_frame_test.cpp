@@ -53,6 +53,26 @@ TEST(ClearFrame, CarriesEverythingOut) {
   EXPECT_FALSE(task.step());
 }
 
+// The grasps of both are asked for before one is picked, and the map moves on in between.
+TEST(ClearFrame, AGraspGoesToThePlannerWithTheObjectItWasPlannedFor) {
+  World world;
+  world.put(kBridge, 0, at(0.45, 0.05));
+  world.put(kBridge, 1, at(0.55, -0.05));
+  world.planned_from_map = at(0.002, -0.001);
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
+
+  ASSERT_EQ(world.picked.size(), 2u);
+  for (int number = 0; number < 2; ++number) {
+    const PlannedGrasp& planned = world.picked[size_t(number)];
+    EXPECT_EQ(planned.object.object, kBridge);
+    EXPECT_EQ(planned.object.number, number);
+    EXPECT_EQ(planned.grasp.source, "grasp 0");
+    const Rigid3 planned_for = world.thing(kBridge, number).object.base_from_object * world.planned_from_map;
+    EXPECT_EQ(planned.object.base_from_object.translation, planned_for.translation);
+  }
+}
+
 TEST(ClearFrame, AnEmptyFrameIsCleared) {
   World world;
   const TaskResult result = ClearFrameTask(&kModels, &world).run();

@@ -87,9 +87,11 @@ class World : public TaskWorld {
     return seen;
   }
 
-  GraspPlan graspTargets(const MappedObject& object) override {
+  TaskGrasps graspTargets(const MappedObject& object) override {
     Thing& t = thing(object.object, object.number);
-    GraspPlan plan;
+    TaskGrasps grasps{object, {}};
+    grasps.object.base_from_object = grasps.object.base_from_object * planned_from_map;
+    GraspPlan& plan = grasps.plan;
     plan.reason = t.refused;
     if (t.blocked_by_others && std::count_if(things.begin(), things.end(), [](const Thing& o) {
                                  return o.there && o.object.object != kFrame;
@@ -97,7 +99,7 @@ class World : public TaskWorld {
       plan.reason = "meets an obstacle";
     if (t.uncertain > 0)
       plan.too_uncertain = true, plan.reason = "3 sigma need 9 mm, the gripper leaves 5 mm";
-    if (!plan.reason.empty()) return plan;
+    if (!plan.reason.empty()) return grasps;
     for (int k = 0; k < 3; ++k) {
       GraspCandidate c;
       c.free = 0.01;
@@ -106,11 +108,13 @@ class World : public TaskWorld {
       c.source = "grasp " + std::to_string(k);
       plan.candidates.push_back(c);
     }
-    return plan;
+    return grasps;
   }
 
-  ActionResult pick(const MappedObject& object, const GraspCandidate& grasp) override {
-    log.push_back("pick " + object.name + std::to_string(object.number) + " by " + grasp.source);
+  ActionResult pick(const PlannedGrasp& planned) override {
+    const MappedObject& object = planned.object;
+    log.push_back("pick " + object.name + std::to_string(object.number) + " by " + planned.grasp.source);
+    picked.push_back(planned);
     Thing& t = thing(object.object, object.number);
     ActionResult result{ActionOutcome::kDone, ""};
     if (!t.picks.empty()) {
@@ -150,6 +154,8 @@ class World : public TaskWorld {
 
   std::vector<Thing> things;
   std::vector<std::string> log;
+  std::vector<PlannedGrasp> picked;  // all that pick() was asked for
+  Rigid3 planned_from_map;           // the map has moved on by so much since the grasps were planned
   std::vector<ActionResult> carries;
   ActionResult opens{ActionOutcome::kDone, ""};
   std::function<void(const TaskView&)> before_look;

@@ -172,7 +172,7 @@ class ClearFrameTask {
   std::optional<MappedObject> frame_pose_;
   std::map<Key, Progress> progress_;
   std::optional<Key> chosen_;
-  std::vector<GraspCandidate> candidates_;
+  std::vector<PlannedGrasp> candidates_;
   int overview_ = 0, failed_looks_ = 0, carried_ = 0;
   int searches_ = 0;        // since something was carried out
   bool searching_ = false;  // the next look is one

@@ -26,6 +26,18 @@ struct TaskLook {
   std::vector<MappedObject> objects;  ///< everything known after it; last_stamp == stamp: shown by it
 };
 
+/// What grasps an object has.
+struct TaskGrasps {
+  MappedObject object;  ///< as it was known when they were planned: the map may have moved on since
+  GraspPlan plan;
+};
+
+/// One of them, with the object that it was planned for.
+struct PlannedGrasp {
+  MappedObject object;
+  GraspCandidate grasp;
+};
+
 /// What the gripper says.
 struct TaskGrip {
   bool known = false;    ///< false: no answer
@@ -41,9 +53,9 @@ class TaskWorld {
   /// Moves the camera, takes an image, recognises and merges.
   virtual TaskLook look(const TaskView& view) = 0;
   /// Grasps of an object as it is known now, best first.
-  virtual GraspPlan graspTargets(const MappedObject& object) = 0;
+  virtual TaskGrasps graspTargets(const MappedObject& object) = 0;
   /// Pre-grasp, approach, close, lift.
-  virtual ActionResult pick(const MappedObject& object, const GraspCandidate& grasp) = 0;
+  virtual ActionResult pick(const PlannedGrasp& planned) = 0;
   virtual TaskGrip grip() = 0;
   /// To the drop zone's so-many-th place and open there; the object then is no longer known.
   virtual ActionResult carry(const MappedObject& object, int place) = 0;
