@@ -1,39 +1,28 @@
-#include "nodes/instances.h"
+#include "monocular_eye_hand/tracking/object_tracker.h"
 
 #include <algorithm>
-#include <cctype>
-#include <sstream>
 #include <tuple>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
-namespace {
 
-void requireNotNegative(const char* field, double value) {
-  if (value >= 0) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must not be negative";
-  throw BadInput(text.str());
+void ObjectTrackerOptions::check() const {
+  require(forget_after >= 0, "forget_after", forget_after, "0 or more");
+  require(speed >= 0, "speed", speed, "0 or more");
 }
 
-}  // namespace
-
-void InstanceOptions::check() const {
-  requireNotNegative("forget_after", forget_after);
-  requireNotNegative("speed", speed);
-}
-
-Instances::Instances(const ModelBase& models, const InstanceOptions& options) : options_(options) {
+ObjectTracker::ObjectTracker(const ModelBase& models, const ObjectTrackerOptions& options)
+    : options_(options) {
   options.check();
   for (const KnownObject& known : models.objects)
     shapes_.push_back({known.model.centre(), known.model.diameter});
 }
 
-std::vector<int> Instances::assign(const std::vector<ObjectEstimate>& objects, double stamp) {
-  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(),
-                               [&](const Track& track) { return !alive(track, stamp); }),
-                tracks_.end());
+std::vector<int> ObjectTracker::update(const std::vector<ObjectEstimate>& objects, double stamp) {
+  const auto lost = [&](const Track& track) { return !alive(track, stamp); };
+  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), lost), tracks_.end());
+
   std::vector<std::tuple<double, size_t, size_t>> pairs;  // distance, track, object
   for (size_t t = 0; t < tracks_.size(); ++t)
     for (size_t i = 0; i < objects.size(); ++i) {
@@ -44,6 +33,7 @@ std::vector<int> Instances::assign(const std::vector<ObjectEstimate>& objects, d
       if (d <= reach) pairs.emplace_back(d, t, i);
     }
   std::sort(pairs.begin(), pairs.end());
+
   std::vector<int> numbers(objects.size(), -1);
   std::vector<bool> taken(tracks_.size(), false);
   for (const auto& [d, t, i] : pairs) {
@@ -53,6 +43,7 @@ std::vector<int> Instances::assign(const std::vector<ObjectEstimate>& objects, d
     tracks_[t].object = objects[i];
     tracks_[t].stamp = stamp;
   }
+
   for (size_t i = 0; i < objects.size(); ++i) {
     if (numbers[i] >= 0) continue;
     numbers[i] = freeNumber(objects[i].object);
@@ -61,36 +52,29 @@ std::vector<int> Instances::assign(const std::vector<ObjectEstimate>& objects, d
   return numbers;
 }
 
-std::vector<ObjectEstimate> Instances::previous(double stamp) const {
+std::vector<ObjectEstimate> ObjectTracker::previous(double stamp) const {
   std::vector<ObjectEstimate> objects;
   for (const Track& track : tracks_)
     if (alive(track, stamp)) objects.push_back(track.object);
   return objects;
 }
 
-bool Instances::alive(const Track& track, double stamp) const {
+bool ObjectTracker::alive(const Track& track, double stamp) const {
   return stamp >= track.stamp && stamp - track.stamp <= options_.forget_after;
 }
 
-double Instances::distance(const ObjectEstimate& a, const ObjectEstimate& b) const {
+double ObjectTracker::distance(const ObjectEstimate& a, const ObjectEstimate& b) const {
   const Eigen::Vector3d& centre = shapes_.at(size_t(a.object)).centre;
   return (a.camera_from_object * centre - b.camera_from_object * centre).norm();
 }
 
-int Instances::freeNumber(int object) const {
+int ObjectTracker::freeNumber(int object) const {
   int number = 0;
   const auto used = [&](const Track& track) {
     return track.object.object == object && track.number == number;
   };
   while (std::any_of(tracks_.begin(), tracks_.end(), used)) ++number;
   return number;
-}
-
-std::string objectFrame(const std::string& prefix, const std::string& name, int number) {
-  std::string frame = prefix + name;
-  for (char& c : frame)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.' && c != '/') c = '_';
-  return frame + "_" + std::to_string(number);
 }
 
 }  // namespace monocular_eye_hand
