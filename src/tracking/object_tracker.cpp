@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "monocular_eye_hand/geometry/require.h"
+#include "monocular_eye_hand/model/same_place.h"
 
 namespace monocular_eye_hand {
 
@@ -27,10 +28,12 @@ std::vector<int> ObjectTracker::update(const std::vector<ObjectEstimate>& object
   for (size_t t = 0; t < tracks_.size(); ++t)
     for (size_t i = 0; i < objects.size(); ++i) {
       if (objects[i].object != tracks_[t].object.object) continue;
-      const double reach =
-          shapes_.at(size_t(objects[i].object)).diameter / 2 + options_.speed * (stamp - tracks_[t].stamp);
-      const double d = distance(objects[i], tracks_[t].object);
-      if (d <= reach) pairs.emplace_back(d, t, i);
+      const Shape& shape = shapes_.at(size_t(objects[i].object));
+      const Rigid3& before = tracks_[t].object.camera_from_object;
+      const Rigid3& now = objects[i].camera_from_object;
+      const double reach = shape.diameter / 2 + options_.speed * (stamp - tracks_[t].stamp);
+      if (samePlace(shape.centre, before, now, reach))
+        pairs.emplace_back(distance(objects[i], tracks_[t].object), t, i);
     }
   std::sort(pairs.begin(), pairs.end());
 
@@ -65,7 +68,7 @@ bool ObjectTracker::alive(const Track& track, double stamp) const {
 
 double ObjectTracker::distance(const ObjectEstimate& a, const ObjectEstimate& b) const {
   const Eigen::Vector3d& centre = shapes_.at(size_t(a.object)).centre;
-  return (a.camera_from_object * centre - b.camera_from_object * centre).norm();
+  return centreOffset(centre, a.camera_from_object, b.camera_from_object).norm();
 }
 
 int ObjectTracker::freeNumber(int object) const {
