@@ -12,6 +12,7 @@
 #include "monocular_eye_hand/geometry/seconds_text.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/model/free_turns.h"
+#include "monocular_eye_hand/model/same_place.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -156,9 +157,8 @@ ObjectMap::Sighting ObjectMap::equalSighting(const Sighting& sighting, const Rig
 }
 
 Eigen::Vector3d ObjectMap::centreOffset(const Sighting& a, const Sighting& b) const {
-  const Eigen::Vector3d centre = model(a.object).centre();
-  const Sighting equal = equalSighting(b, a.base_from_object);
-  return equal.base_from_object * centre - a.base_from_object * centre;
+  const Rigid3 equal = equalSighting(b, a.base_from_object).base_from_object;
+  return monocular_eye_hand::centreOffset(model(a.object).centre(), a.base_from_object, equal);
 }
 
 double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
@@ -174,12 +174,13 @@ double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
 }
 
 bool ObjectMap::samePlace(const Sighting& a, const Sighting& b) const {
-  const Eigen::Vector3d sides = model(a.object).bounds.sizes(), apart = centreOffset(a, b);
-  if (!models_->objects[size_t(a.object)].handling.obstacle)
-    return apart.norm() <= options_.same_place * sides.minCoeff();
+  const Rigid3 equal = equalSighting(b, a.base_from_object).base_from_object;
+  const Eigen::Vector3d centre = model(a.object).centre();
+  const Eigen::Vector3d reach = options_.same_place * model(a.object).bounds.sizes();
   // What things lie in is hollow: another of its size would have to go through its walls.
-  const Eigen::Vector3d along = a.base_from_object.rotation.transpose() * apart;
-  return (along.cwiseAbs().array() <= options_.same_place * sides.array()).all();
+  if (models_->objects[size_t(a.object)].handling.obstacle)
+    return monocular_eye_hand::samePlace(centre, a.base_from_object, equal, reach);
+  return monocular_eye_hand::samePlace(centre, a.base_from_object, equal, reach.minCoeff());
 }
 
 std::vector<int> ObjectMap::associate(const std::vector<Sighting>& sightings,

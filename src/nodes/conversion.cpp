@@ -1,6 +1,7 @@
 #include "nodes/conversion.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -99,6 +100,13 @@ geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, cons
   transform.transform.translation.z = pose.position.z;
   transform.transform.rotation = pose.orientation;
   return transform;
+}
+
+std::string objectFrame(const std::string& prefix, const std::string& name, int number) {
+  std::string frame = prefix + name;
+  for (char& c : frame)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.' && c != '/') c = '_';
+  return frame + "_" + std::to_string(number);
 }
 
 RecognizedObject toMessage(const std_msgs::Header& header, const ObjectEstimate& object, int instance,

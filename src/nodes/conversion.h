@@ -29,6 +29,9 @@ geometry_msgs::PoseWithCovariance toPose(const Rigid3& a_from_b, const Matrix6d&
 /// `header.frame_id` is frame a, `child` frame b.
 geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, const std::string& child,
                                             const Rigid3& a_from_b);
+/// "<prefix><name>_<number>", with what tf does not take in a frame's name (anything but letters, digits,
+/// '_', '-', '.', '/') replaced by '_'.
+std::string objectFrame(const std::string& prefix, const std::string& name, int number);
 /// `models`: for the names of the alternatives.
 RecognizedObject toMessage(const std_msgs::Header& header, const ObjectEstimate& object, int instance,
                            const ModelBase& models);

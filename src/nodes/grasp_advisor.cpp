@@ -1,5 +1,7 @@
 #include "nodes/grasp_advisor.h"
 
+#include <vector>
+
 #include "nodes/eye_hand_conversion.h"
 
 namespace monocular_eye_hand {
@@ -29,33 +31,35 @@ std::string notReadyText(const KnownObjects& known, const ArmNow& arm) {
   return arm.problem;
 }
 
+Response foundReply(const LocatedObject& object, const GraspPlan& plan) {
+  Response response =
+      reply(Response::FOUND, label(object) + ": " + std::to_string(plan.candidates.size()) + " grasps");
+  for (const GraspCandidate& grasp : plan.candidates) response.targets.push_back(toMessage(object, grasp));
+  return response;
+}
+
+Response noGraspReply(const KnownObjects& known, const std::vector<ObjectGraspPlan>& plans) {
+  bool too_uncertain = false;
+  std::string reasons;
+  for (const ObjectGraspPlan& one : plans) {
+    too_uncertain = too_uncertain || one.plan.too_uncertain;
+    reasons += (reasons.empty() ? "" : "; ") + label(known.messages[one.index]) + ": " + one.plan.reason;
+  }
+  return reply(too_uncertain ? Response::TOO_UNCERTAIN : Response::NO_GRASP, reasons);
+}
+
 }  // namespace
 
 GraspAdvisor::GraspAdvisor(const ModelBase& models, const EyeHandParameters& parameters, const Puma560& arm,
                            const Rigid3& tool0_from_tcp)
-    : models_(models), parameters_(parameters), arm_(arm), tool0_from_tcp_(tool0_from_tcp) {
-  for (const KnownObject& known : models.objects)
-    grasps_.push_back(graspsOf(known, parameters.gripper, parameters.sampling));
-}
+    : models_(models),
+      parameters_(parameters),
+      tool0_from_tcp_(tool0_from_tcp),
+      grasps_(&models, &arm, tool0_from_tcp, parameters.gripper, parameters.sampling, parameters.grasp) {}
 
-bool GraspAdvisor::mayGrasp(int object) const {
-  const Handling& handling = models_.objects.at(size_t(object)).handling;
-  return handling.grasp && !handling.obstacle;
-}
-
-GraspPlan GraspAdvisor::plan(const KnownObjects& known, size_t index, const JointVector& current) const {
-  const MappedObject& object = known.objects[index];
-  GraspScene scene;
-  scene.table = parameters_.table;
-  scene.table_height = known.table_height.value_or(parameters_.table_height);
-  for (size_t k = 0; k < known.objects.size(); ++k)
-    if (k != index)
-      scene.obstacles.push_back(
-          {&models_.objects[size_t(known.objects[k].object)].model, known.objects[k].base_from_object});
-  return planGrasps(
-      {&models_.objects[size_t(object.object)].model, object.base_from_object, object.covariance},
-      grasps_[size_t(object.object)], scene, parameters_.gripper, arm_, tool0_from_tcp_, current,
-      parameters_.grasp);
+std::optional<double> GraspAdvisor::tableHeight(const KnownObjects& known) const {
+  if (!parameters_.table) return std::nullopt;
+  return known.table_height.value_or(parameters_.table_height);
 }
 
 Response GraspAdvisor::answer(const GraspTargets::Request& request, const KnownObjects& known,
@@ -64,35 +68,20 @@ Response GraspAdvisor::answer(const GraspTargets::Request& request, const KnownO
   if (wanted < 0)
     return reply(Response::UNKNOWN_NAME,
                  "no object is named '" + request.name + "'; known: " + models_.names());
-  if (grasps_[size_t(wanted)].grasps.empty())  // wherever it is
-    return reply(Response::NO_GRASP, grasps_[size_t(wanted)].reason);
+  const ModelGrasps& anywhere = grasps_.ofModel(wanted);
+  if (anywhere.grasps.empty()) return reply(Response::NO_GRASP, anywhere.reason);
   if (known.stamp.isZero() || !arm.problem.empty())
     return reply(Response::NOT_READY, notReadyText(known, arm));
-  bool seen = false, too_uncertain = false;
-  Response best = reply(Response::NO_GRASP, "");
-  std::string reasons;
-  for (size_t k = 0; k < known.objects.size(); ++k) {
-    if (known.objects[k].object != wanted) continue;
-    if (request.instance >= 0 && known.objects[k].number != request.instance) continue;
-    seen = true;
-    const GraspPlan found = plan(known, k, arm.joints);
-    if (found.candidates.empty()) {
-      too_uncertain = too_uncertain || found.too_uncertain;
-      reasons += (reasons.empty() ? "" : "; ") + label(known.messages[k]) + ": " + found.reason;
-      continue;
-    }
-    if (!best.targets.empty() && best.targets.front().quality >= found.candidates.front().quality) continue;
-    best = reply(Response::FOUND,
-                 label(known.messages[k]) + ": " + std::to_string(found.candidates.size()) + " grasps");
-    for (const GraspCandidate& grasp : found.candidates)
-      best.targets.push_back(toMessage(known.messages[k], grasp));
-  }
-  if (!seen) {
+
+  const std::vector<ObjectGraspPlan> plans =
+      grasps_.plans(known.objects, wanted, request.instance, tableHeight(known), arm.joints);
+  if (plans.empty()) {
     const std::string which = request.instance < 0 ? "" : " " + std::to_string(request.instance);
     return reply(Response::NOT_KNOWN, "no " + request.name + which + " is known; " + knownText(known));
   }
-  if (!best.targets.empty()) return best;
-  return reply(too_uncertain ? Response::TOO_UNCERTAIN : Response::NO_GRASP, reasons);
+
+  const ObjectGraspPlan* best = bestOf(plans);
+  return best ? foundReply(known.messages[best->index], best->plan) : noGraspReply(known, plans);
 }
 
 GraspTargetArray GraspAdvisor::best(const KnownObjects& known, const ArmNow& arm) const {
@@ -100,12 +89,12 @@ GraspTargetArray GraspAdvisor::best(const KnownObjects& known, const ArmNow& arm
   array.header.stamp = known.stamp;
   array.header.frame_id = parameters_.base_frame;
   for (size_t k = 0; k < known.objects.size(); ++k) {
-    if (!mayGrasp(known.objects[k].object)) continue;
+    if (!grasps_.mayGrasp(known.objects[k].object)) continue;
     if (!arm.problem.empty()) {
       array.targets.push_back(noGrasp(known.messages[k], arm.problem));
       continue;
     }
-    const GraspPlan found = plan(known, k, arm.joints);
+    const GraspPlan found = grasps_.plan(known.objects, k, tableHeight(known), arm.joints);
     array.targets.push_back(found.candidates.empty()
                                 ? noGrasp(known.messages[k], found.reason)
                                 : toMessage(known.messages[k], found.candidates.front()));

@@ -2,10 +2,10 @@
 #include <monocular_eye_hand/GraspTargetArray.h>
 #include <monocular_eye_hand/GraspTargets.h>
 
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "monocular_eye_hand/grasp/plan_grasps.h"
+#include "monocular_eye_hand/grasp/object_grasps.h"
 #include "monocular_eye_hand/model/known_object.h"
 #include "nodes/eye_hand_parameters.h"
 #include "nodes/shared_map.h"
@@ -18,8 +18,7 @@ struct ArmNow {
   std::string problem;
 };
 
-/// Grasps of what is known, with everything else known and the table in the way. Const calls are safe from
-/// several threads.
+/// Tells the grasps of what is known, or why there are none. Const calls are safe from several threads.
 class GraspAdvisor {
  public:
   /// Samples the grasps of all models. All must outlive it.
@@ -32,17 +31,15 @@ class GraspAdvisor {
   GraspTargetArray best(const KnownObjects& known, const ArmNow& arm) const;
   const Rigid3& tool0FromTcp() const { return tool0_from_tcp_; }
   /// Of a model, by ModelBase::objects.
-  const ModelGrasps& modelGrasps(int object) const { return grasps_.at(size_t(object)); }
+  const ModelGrasps& modelGrasps(int object) const { return grasps_.ofModel(object); }
 
  private:
-  GraspPlan plan(const KnownObjects& known, size_t index, const JointVector& current) const;
-  bool mayGrasp(int object) const;
+  std::optional<double> tableHeight(const KnownObjects& known) const;
 
   const ModelBase& models_;
   const EyeHandParameters& parameters_;
-  const Puma560& arm_;
   const Rigid3 tool0_from_tcp_;
-  std::vector<ModelGrasps> grasps_;  // by ModelBase::objects
+  const ObjectGrasps grasps_;
 };
 
 }  // namespace monocular_eye_hand

@@ -22,7 +22,6 @@ Outputs::Outputs(const ModelBase& models, const RecognizerParameters& parameters
     : models_(models),
       frame_prefix_(parameters.frame_prefix),
       marker_lifetime_(parameters.marker_lifetime),
-      instances_(models, parameters.instances),
       marker_builder_(models, {parameters.marker_triangles, parameters.label_height}),
       private_node_("~"),
       transport_(private_node_) {
@@ -37,26 +36,24 @@ bool Outputs::wanted() const {
          overlay_.getNumSubscribers() > 0;
 }
 
-std::vector<RecognizedObject> Outputs::number(const WorkedImage& image) {
+std::vector<RecognizedObject> Outputs::messages(const WorkedImage& image,
+                                                const std::vector<int>& numbers) const {
   const std::vector<ObjectEstimate>& objects = image.result.objects;
-  const std::vector<int> numbers = instances_.assign(objects, image.header.stamp.toSec());
   std::vector<RecognizedObject> messages;
   for (size_t i = 0; i < objects.size(); ++i)
     messages.push_back(toMessage(image.header, objects[i], numbers[i], models_));
   return messages;
 }
 
-std::vector<RecognizedObject> Outputs::publish(const WorkedImage& image) {
+std::vector<RecognizedObject> Outputs::publish(const WorkedImage& image, const std::vector<int>& numbers) {
   const std::vector<ObjectEstimate>& objects = image.result.objects;
   RecognizedObjectArray array;
   array.header = image.header;
-  array.objects = number(image);
+  array.objects = messages(image, numbers);
   if (objects.empty()) array.reason = image.result.reason;
   array.truncated = image.result.truncated;
   array.budget_spent = image.result.budget_spent;
   array.seconds = image.seconds;
-  std::vector<int> numbers;
-  for (const RecognizedObject& object : array.objects) numbers.push_back(object.instance);
 
   publishFrames(image.header, objects, numbers);  // before the message that names them
   objects_.publish(array);

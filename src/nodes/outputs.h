@@ -13,7 +13,6 @@
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
-#include "nodes/instances.h"
 #include "nodes/markers.h"
 #include "nodes/recognizer_parameters.h"
 
@@ -39,14 +38,12 @@ class Outputs {
   Outputs(const ModelBase& models, const RecognizerParameters& parameters);
   /// Someone listens to ~objects, ~markers or ~overlay (of tf nobody can tell).
   bool wanted() const;
-  /// Numbers the instances and returns the objects as messages, unpublished.
-  std::vector<RecognizedObject> number(const WorkedImage& image);
-  /// Numbers the instances, publishes everything, and returns the objects as published.
-  std::vector<RecognizedObject> publish(const WorkedImage& image);
+  /// The image's objects as messages, unpublished. `numbers`: of each, among those of its name.
+  std::vector<RecognizedObject> messages(const WorkedImage& image, const std::vector<int>& numbers) const;
+  /// Publishes everything and returns the objects as published.
+  std::vector<RecognizedObject> publish(const WorkedImage& image, const std::vector<int>& numbers);
   /// Shows where the camera looks.
   void showView(const std_msgs::Header& header, const Camera& camera);
-  /// Objects seen lately, for the next image at `stamp` [s].
-  std::vector<ObjectEstimate> previous(double stamp) const { return instances_.previous(stamp); }
 
  private:
   /// Of markers, as long as images take now [s]; 0: for ever.
@@ -59,7 +56,6 @@ class Outputs {
   std::string frame_prefix_;
   double marker_lifetime_;
   double last_seconds_ = 0;  // of the last image worked on
-  Instances instances_;
   MarkerBuilder marker_builder_;
   ros::NodeHandle private_node_;
   image_transport::ImageTransport transport_;

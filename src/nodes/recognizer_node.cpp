@@ -51,6 +51,7 @@ std::string notFoundText(const std::string& only, const RecognitionResult& resul
 RecognizerNode::RecognizerNode(const Recognizer& recognizer, const RecognizerParameters& parameters)
     : recognizer_(recognizer),
       parameters_(parameters),
+      tracker_(recognizer.models(), parameters.instances),
       outputs_(recognizer.models(), parameters),
       input_(parameters.rectified ? ImageKind::kRectified : ImageKind::kRaw, parameters.image_transport),
       diagnostics_(input_, parameters.diagnostic_period,
@@ -163,11 +164,12 @@ WorkedImage RecognizerNode::prepare(const CameraFrame& frame) const {
 }
 
 Recognize::Response RecognizerNode::search(WorkedImage image, const std::string& only, bool publish) {
+  const double stamp = image.header.stamp.toSec();
   const auto start = std::chrono::steady_clock::now();
   RecognitionRequest request;
   request.only = only;
   request.support = image.support;
-  request.previous = outputs_.previous(image.header.stamp.toSec());
+  request.previous = tracker_.previous(stamp);
   image.only = only;
   image.result = recognizer_.recognize(image.grey, image.camera, request);
   image.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -177,8 +179,10 @@ Recognize::Response RecognizerNode::search(WorkedImage image, const std::string&
   }
   diagnostics_.worked(image.seconds, image.result.objects.size(), image.result.reason,
                       image.result.truncated);
+
+  const std::vector<int> numbers = tracker_.update(image.result.objects, stamp);
   Recognize::Response response;
-  response.objects = publish ? outputs_.publish(image) : outputs_.number(image);
+  response.objects = publish ? outputs_.publish(image, numbers) : outputs_.messages(image, numbers);
   if (response.objects.empty())
     return reply(Recognize::Response::NOT_FOUND, notFoundText(only, image.result));
   response.status = Recognize::Response::FOUND;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/recognition/recognizer.h"
+#include "monocular_eye_hand/tracking/object_tracker.h"
 #include "nodes/camera_input.h"
 #include "nodes/diagnostics.h"
 #include "nodes/outputs.h"
@@ -38,7 +39,7 @@ class RecognizerNode {
   std::string frameProblem(const std::string& frame) const;
   /// Header, grey image and camera of a frame; throws BadImage or BadCameraInfo.
   WorkedImage prepare(const CameraFrame& frame) const;
-  /// Searches, publishes, and returns the service's reply.
+  /// Searches, numbers what was found, publishes, and returns the service's reply.
   Recognize::Response search(WorkedImage image, const std::string& only, bool publish);
   bool onRecognize(Recognize::Request& request, Recognize::Response& response);
   std::string noImageText() const;
@@ -46,6 +47,7 @@ class RecognizerNode {
 
   const Recognizer& recognizer_;
   const RecognizerParameters parameters_;
+  ObjectTracker tracker_;  // of worker_ alone
   Outputs outputs_;
   CameraInput input_;
   tf2::BufferCore fixed_frames_;

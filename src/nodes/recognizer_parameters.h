@@ -3,7 +3,7 @@
 
 #include "monocular_eye_hand/recognition/object_estimate.h"
 #include "monocular_eye_hand/recognition/options.h"
-#include "nodes/instances.h"
+#include "monocular_eye_hand/tracking/object_tracker.h"
 
 namespace monocular_eye_hand {
 
@@ -44,7 +44,7 @@ struct RecognizerParameters {
   double marker_lifetime = 5.0;         ///< markers go when no image came for so long [s]; 0: never
   double diagnostic_period = 1.0;       ///< [s, wall clock]
   SupportParameters support;
-  InstanceOptions instances;
+  ObjectTrackerOptions instances;
   RecognitionOptions recognition;
 
   void check() const;  ///< throws BadInput naming field, value and rule

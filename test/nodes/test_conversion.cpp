@@ -154,5 +154,10 @@ TEST(Conversion, DecisionsKeepTheirMeaning) {
   EXPECT_EQ(decision(Decision::kRejected), RecognizedObject::REJECTED);
 }
 
+TEST(ObjectFrame, PrefixNameAndNumber) {
+  EXPECT_EQ(objectFrame("", "bridge", 0), "bridge_0");
+  EXPECT_EQ(objectFrame("left/", "hand grenade (old)", 12), "left/hand_grenade__old__12");
+}
+
 }  // namespace
 }  // namespace monocular_eye_hand

@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "monocular_eye_hand/model/known_object.h"
@@ -7,7 +6,8 @@
 
 namespace monocular_eye_hand {
 
-struct InstanceOptions {
+/// Defaults stand here and nowhere else.
+struct ObjectTrackerOptions {
   double forget_after = 2.0;  ///< an object not seen for so long gives its number back [s]
   double speed =
       0.25;  ///< fastest motion of an object relative to the camera at which it keeps its number [m/s]
@@ -20,18 +20,19 @@ struct InstanceOptions {
   }
 };
 
-/// Gives objects of one name numbers from 0 that stay with them while they are in view: an object takes the
-/// number of the nearest one of its name seen lately, when the distance of the centres (which symmetric poses
-/// share) is at most half a diameter plus what `speed` allows; a new one takes the smallest free number. A
-/// stamp before the last one (a bag played again) starts afresh.
-class Instances {
+/// Gives the objects of one camera's images numbers from 0 per name that stay with them while they are in
+/// view: an object takes the number of the nearest one of its name seen lately, when the distance of the
+/// centres (which symmetric poses share) is at most half a diameter plus what `speed` allows; a new one takes
+/// the smallest free number. A stamp before the last one (a bag played again) starts afresh.
+class ObjectTracker {
  public:
   /// Throws BadInput when an option is out of range.
-  Instances(const ModelBase& models, const InstanceOptions& options);
-  /// The number of each object, in the order given. `stamp`: of the image [s].
-  std::vector<int> assign(const std::vector<ObjectEstimate>& objects, double stamp);
-  /// The objects as last seen, for RecognitionRequest::previous; those that an image at `stamp` would still
-  /// know.
+  ObjectTracker(const ModelBase& models, const ObjectTrackerOptions& options);
+  /// Takes in what an image showed and returns the number of each object, in the order given. `stamp`: of the
+  /// image [s].
+  std::vector<int> update(const std::vector<ObjectEstimate>& objects, double stamp);
+  /// The objects as last seen, for RecognitionRequest::previous; those that an image at `stamp` [s] would
+  /// still know.
   std::vector<ObjectEstimate> previous(double stamp) const;
 
  private:
@@ -48,14 +49,9 @@ class Instances {
   double distance(const ObjectEstimate& a, const ObjectEstimate& b) const;
   int freeNumber(int object) const;
 
-  InstanceOptions options_;
+  ObjectTrackerOptions options_;
   std::vector<Shape> shapes_;  // by ModelBase::objects
   std::vector<Track> tracks_;
 };
-
-/// "<prefix><name>_<number>", with what tf does not take in a frame's name (anything but letters, digits,
-/// '_', '-',
-/// '.', '/') replaced by '_'.
-std::string objectFrame(const std::string& prefix, const std::string& name, int number);
 
 }  // namespace monocular_eye_hand
