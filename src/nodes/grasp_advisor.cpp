@@ -68,6 +68,7 @@ Response GraspAdvisor::answer(const GraspTargets::Request& request, const KnownO
     return reply(Response::NO_GRASP, grasps_[size_t(wanted)].reason);
   if (known.stamp.isZero() || !arm.problem.empty())
     return reply(Response::NOT_READY, notReadyText(known, arm));
+
   bool seen = false, too_uncertain = false;
   Response best = reply(Response::NO_GRASP, "");
   std::string reasons;
@@ -87,6 +88,7 @@ Response GraspAdvisor::answer(const GraspTargets::Request& request, const KnownO
     for (const GraspCandidate& grasp : found.candidates)
       best.targets.push_back(toMessage(known.messages[k], grasp));
   }
+
   if (!seen) {
     const std::string which = request.instance < 0 ? "" : " " + std::to_string(request.instance);
     return reply(Response::NOT_KNOWN, "no " + request.name + which + " is known; " + knownText(known));

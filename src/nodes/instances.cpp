@@ -34,6 +34,7 @@ std::vector<int> Instances::assign(const std::vector<ObjectEstimate>& objects, d
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(),
                                [&](const Track& track) { return !alive(track, stamp); }),
                 tracks_.end());
+
   std::vector<std::tuple<double, size_t, size_t>> pairs;  // distance, track, object
   for (size_t t = 0; t < tracks_.size(); ++t)
     for (size_t i = 0; i < objects.size(); ++i) {
@@ -43,6 +44,7 @@ std::vector<int> Instances::assign(const std::vector<ObjectEstimate>& objects, d
       const double d = distance(objects[i], tracks_[t].object);
       if (d <= reach) pairs.emplace_back(d, t, i);
     }
+
   std::sort(pairs.begin(), pairs.end());
   std::vector<int> numbers(objects.size(), -1);
   std::vector<bool> taken(tracks_.size(), false);
@@ -53,6 +55,7 @@ std::vector<int> Instances::assign(const std::vector<ObjectEstimate>& objects, d
     tracks_[t].object = objects[i];
     tracks_[t].stamp = stamp;
   }
+
   for (size_t i = 0; i < objects.size(); ++i) {
     if (numbers[i] >= 0) continue;
     numbers[i] = freeNumber(objects[i].object);

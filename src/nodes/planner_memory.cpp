@@ -68,6 +68,7 @@ std::optional<PickMemory> fromParameter(Value value) {
   } catch (const XmlRpc::XmlRpcException&) {  // not what keepMemory() wrote
     return std::nullopt;
   }
+
   for (const Rigid3* pose : {&memory.object.base_from_object, &memory.target.base_from_tcp_before,
                              &memory.target.base_from_tcp_grasp, &memory.target.base_from_tcp_after})
     if (!pose->isFinite() || !isRotation(pose->rotation)) return std::nullopt;

@@ -33,8 +33,10 @@ Result toMessage(const WorkResult& work) {
   result.reason = work.reason;
   result.planning_time = work.planning_time;
   result.motion_time = work.motion_time;
-  if constexpr (std::is_same_v<Result, MoveResult>)
-    result.reached = work.reached, result.stamp = ros::Time(work.stamp);
+  if constexpr (std::is_same_v<Result, MoveResult>) {
+    result.reached = work.reached;
+    result.stamp = ros::Time(work.stamp);
+  }
   return result;
 }
 
@@ -87,11 +89,13 @@ PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& n
     cell_.publish(cellMarkers(parameters_));
   });
   objects_subscriber_ = node_.subscribe(names::kLocatedObjects, 10, &PlannerNode::onObjects, this);
+
   updater_.setHardwareID("none");
   updater_.add("robot", this, &PlannerNode::robotStatus);
   updater_.add("planning", this, &PlannerNode::planningStatus);
   timer_ = node_.createWallTimer(ros::WallDuration(parameters.diagnostic_period),
                                  [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+
   pick_.start();
   place_.start();
   move_.start();
@@ -179,6 +183,7 @@ void PlannerNode::run(Server<Action>* server, const char* action,
       remember(action, done);
     }
   }  // free for the next goal before this one's result is known
+
   const Result result = toMessage<Result>(done);
   if (done.outcome == PickResult::DONE) {
     server->setSucceeded(result);

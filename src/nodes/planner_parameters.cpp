@@ -22,16 +22,28 @@ void requireShare(const char* field, double value, double most) {
 }  // namespace
 
 void PlannerTable::check() const {
-  requireFinite("x", x), requireFinite("y", y), requireFinite("z", z), requireFinite("yaw", yaw);
-  requirePositive("length", length), requirePositive("width", width), requirePositive("thickness", thickness);
+  requireFinite("x", x);
+  requireFinite("y", y);
+  requireFinite("z", z);
+  requireFinite("yaw", yaw);
+  requirePositive("length", length);
+  requirePositive("width", width);
+  requirePositive("thickness", thickness);
 }
 
-void DropPlace::check() const { requireFinite("x", x), requireFinite("y", y), requireFinite("yaw", yaw); }
+void DropPlace::check() const {
+  requireFinite("x", x);
+  requireFinite("y", y);
+  requireFinite("yaw", yaw);
+}
 
 void DropZone::check() const {
-  requireFinite("x", x), requireFinite("y", y), requireFinite("yaw", yaw);
+  requireFinite("x", x);
+  requireFinite("y", y);
+  requireFinite("yaw", yaw);
   requireFinite("part_yaw", part_yaw);
-  requirePositive("length", length), requirePositive("width", width);
+  requirePositive("length", length);
+  requirePositive("width", width);
   require(columns >= 1 && columns <= 100, "columns", columns, "1 to 100");
   require(rows >= 1 && rows <= 100, "rows", rows, "1 to 100");
 }
@@ -53,15 +65,21 @@ std::vector<DropPlace> DropZone::places() const {
 }
 
 void FollowOptions::check() const {
-  requirePositive("deviation", deviation), requirePositive("lag", lag), requirePositive("settle", settle);
-  requirePositive("goal_tolerance", goal_tolerance), requirePositive("stand_speed", stand_speed);
+  requirePositive("deviation", deviation);
+  requirePositive("lag", lag);
+  requirePositive("settle", settle);
+  requirePositive("goal_tolerance", goal_tolerance);
+  requirePositive("stand_speed", stand_speed);
 }
 
 void ExecutionOptions::check() const {
   requirePositive("start_tolerance", start_tolerance);
-  requirePositive("joint_silence", joint_silence), requirePositive("gripper_silence", gripper_silence);
-  requirePositive("gripper_timeout", gripper_timeout), requirePositive("stop_timeout", stop_timeout);
-  requirePositive("squeeze", squeeze), requirePositive("width_tolerance", width_tolerance);
+  requirePositive("joint_silence", joint_silence);
+  requirePositive("gripper_silence", gripper_silence);
+  requirePositive("gripper_timeout", gripper_timeout);
+  requirePositive("stop_timeout", stop_timeout);
+  requirePositive("squeeze", squeeze);
+  requirePositive("width_tolerance", width_tolerance);
   requirePositive("open_tolerance", open_tolerance);
   require(squeeze > width_tolerance, "squeeze", squeeze,
           "more than width_tolerance: else an empty gripper looks as if it held the part");

@@ -16,8 +16,13 @@ struct PlannerTable {
   void check() const;  ///< throws BadInput naming field, value and rule; so do all below
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("z", z), v("yaw", yaw);
-    v("length", length), v("width", width), v("thickness", thickness);
+    v("x", x);
+    v("y", y);
+    v("z", z);
+    v("yaw", yaw);
+    v("length", length);
+    v("width", width);
+    v("thickness", thickness);
   }
 };
 
@@ -29,7 +34,9 @@ struct DropPlace {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("yaw", yaw);
+    v("x", x);
+    v("y", y);
+    v("yaw", yaw);
   }
 };
 
@@ -45,8 +52,15 @@ struct DropZone {
   std::vector<DropPlace> places() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("yaw", yaw), v("length", length), v("width", width);
-    v("columns", columns), v("rows", rows), v("part_yaw", part_yaw), v("list", list);
+    v("x", x);
+    v("y", y);
+    v("yaw", yaw);
+    v("length", length);
+    v("width", width);
+    v("columns", columns);
+    v("rows", rows);
+    v("part_yaw", part_yaw);
+    v("list", list);
   }
 };
 
@@ -61,8 +75,11 @@ struct FollowOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("deviation", deviation), v("lag", lag), v("goal_tolerance", goal_tolerance);
-    v("stand_speed", stand_speed), v("settle", settle);
+    v("deviation", deviation);
+    v("lag", lag);
+    v("goal_tolerance", goal_tolerance);
+    v("stand_speed", stand_speed);
+    v("settle", settle);
   }
 };
 
@@ -81,10 +98,15 @@ struct ExecutionOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("start_tolerance", start_tolerance), v("joint_silence", joint_silence);
-    v("gripper_silence", gripper_silence), v("gripper_timeout", gripper_timeout);
-    v("stop_timeout", stop_timeout), v("squeeze", squeeze), v("width_tolerance", width_tolerance);
-    v("open_tolerance", open_tolerance), v("follow", follow);
+    v("start_tolerance", start_tolerance);
+    v("joint_silence", joint_silence);
+    v("gripper_silence", gripper_silence);
+    v("gripper_timeout", gripper_timeout);
+    v("stop_timeout", stop_timeout);
+    v("squeeze", squeeze);
+    v("width_tolerance", width_tolerance);
+    v("open_tolerance", open_tolerance);
+    v("follow", follow);
   }
 };
 
@@ -107,10 +129,19 @@ struct PlannerParameters {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("objects", objects), v("urdf", urdf), v("base_frame", base_frame), v("table", table);
-    v("boxes", boxes), v("drop_zone", drop_zone), v("drop_gap", drop_gap), v("drop_above", drop_above);
-    v("feedback_period", feedback_period), v("diagnostic_period", diagnostic_period);
-    v("execution", execution), v("planning", planning), v("arm", arm);
+    v("objects", objects);
+    v("urdf", urdf);
+    v("base_frame", base_frame);
+    v("table", table);
+    v("boxes", boxes);
+    v("drop_zone", drop_zone);
+    v("drop_gap", drop_gap);
+    v("drop_above", drop_above);
+    v("feedback_period", feedback_period);
+    v("diagnostic_period", diagnostic_period);
+    v("execution", execution);
+    v("planning", planning);
+    v("arm", arm);
   }
 };
 

@@ -96,12 +96,14 @@ CollisionWorld PlannerScene::world(const std::optional<SceneObject>& subject, in
     if (!world.has(label)) world.addMesh(label, mesh(object.name), object.base_from_object);
   };
   if (subject) add(subject->label(), *subject);
+
   const auto is_subject = [&](const SceneObject& object) {
     return (subject && (object.label() == subject->label() || same(object, *subject))) ||
            (in_hand && object.name == in_hand->name && standsAt(object, *in_hand));
   };
   for (const SceneObject& object : seen_)
     if (!is_subject(object)) add(object.label(), object);
+
   for (const auto& entry : placed_) {
     if (entry.first == free_place) continue;
     const SceneObject& object = entry.second;

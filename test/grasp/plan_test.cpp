@@ -218,6 +218,7 @@ TEST(PlanGrasps, BadInputIsNamed) {
         }
         return std::string("no error");
       };
+
   using O = GraspObject;
   using S = GraspScene;
   using P = GraspPlanOptions;
@@ -230,6 +231,7 @@ TEST(PlanGrasps, BadInputIsNamed) {
               HasSubstr("obstacle has no model"));
   EXPECT_THAT(failure([](O*, S*, P* p, J*) { p->max_tilt = 2; }), HasSubstr("max_tilt = 2"));
   EXPECT_THAT(failure([](O*, S*, P*, J* j) { (*j)[2] = NAN; }), HasSubstr("joint angles"));
+
   GraspPlanOptions options;
   EXPECT_THROW(readOptions(parseYaml("sigma: 2"), &options), BadInput);
 }
