@@ -64,6 +64,7 @@ PolygonImage polygonImage(double noise, bool exact, Random* random) {
   cv::Mat big(kHeight * kSamples, kWidth * kSamples, CV_8U, cv::Scalar(ground));
   cv::Mat area(kHeight, kWidth, CV_32F, cv::Scalar(ground));
   PolygonImage out;
+
   for (int tries = 0; out.polygons.size() < 4 && tries < 500; ++tries) {
     const double r = uniform(random, 35, 95), x = uniform(random, r + 8, kWidth - r - 8),
                  y = uniform(random, r + 8, kHeight - r - 8);
@@ -74,6 +75,7 @@ PolygonImage polygonImage(double noise, bool exact, Random* random) {
       apart = apart && (middle - Eigen::Vector2d(x, y)).norm() >= r + reach + 10;
     }
     if (!apart) continue;
+
     const int n = 3 + int(uniform(random, 0, 3));
     const double turn = uniform(random, 0, 2 * M_PI);
     Corners corners;
@@ -120,8 +122,10 @@ void drawDistractors(const std::vector<Ellipse>& ellipses, int ground, int sampl
   }
   for (int drawn = 0, tries = 0; drawn < 4 && tries < 200; ++tries) {
     Eigen::Vector2d ends[2];
-    for (Eigen::Vector2d& end : ends)
-      end.x() = uniform(random, 0, kWidth), end.y() = uniform(random, 0, kHeight);
+    for (Eigen::Vector2d& end : ends) {
+      end.x() = uniform(random, 0, kWidth);
+      end.y() = uniform(random, 0, kHeight);
+    }
     if (!lineClear(ellipses, ends[0], ends[1])) continue;
     const auto big_point = [&](const Eigen::Vector2d& p) {
       return cv::Point(int(p.x()) * samples, int(p.y()) * samples);
@@ -160,6 +164,7 @@ EllipseImage ellipseImage(double occlusion, double noise, Random* random) {
   const int ground = int(uniform(random, 40, 215));
   cv::Mat big(kHeight * kSamples, kWidth * kSamples, CV_8U, cv::Scalar(ground));
   const size_t wanted = size_t(1 + int(uniform(random, 0, 5)));
+
   for (int tries = 0; out.ellipses.size() < wanted && tries < 300; ++tries) {
     Ellipse e;
     e.a = uniform(random, 12, 80);
@@ -170,6 +175,7 @@ EllipseImage ellipseImage(double occlusion, double noise, Random* random) {
     e.centre.y() = uniform(random, e.a + 4, kHeight - e.a - 4);
     if (clear(out.ellipses, e.centre, e.a)) out.ellipses.push_back(e);
   }
+
   drawDistractors(out.ellipses, ground, kSamples, random, &big);
   for (const Ellipse& e : out.ellipses) {
     const int grey = otherGrey(random, 10, 245, {ground}, 25);
@@ -223,14 +229,20 @@ std::vector<EllipseImage> ellipseSet() {
 
 void fillByArea(const Corners& corners, double grey, cv::Mat* image) {
   double low = 1e9, high = -1e9;
-  for (const Eigen::Vector2d& c : corners) low = std::min(low, c.y()), high = std::max(high, c.y());
+  for (const Eigen::Vector2d& c : corners) {
+    low = std::min(low, c.y());
+    high = std::max(high, c.y());
+  }
   Corners above, row, left, pixel;
   for (int y = std::max(0, int(low)); y <= std::min(image->rows - 1, int(high) + 1); ++y) {
     clip(1, -1, y - 0.5, corners, &above);
     clip(1, 1, y + 0.5, above, &row);
     if (row.empty()) continue;
     double x0 = 1e9, x1 = -1e9;
-    for (const Eigen::Vector2d& c : row) x0 = std::min(x0, c.x()), x1 = std::max(x1, c.x());
+    for (const Eigen::Vector2d& c : row) {
+      x0 = std::min(x0, c.x());
+      x1 = std::max(x1, c.x());
+    }
     for (int x = std::max(0, int(x0)); x <= std::min(image->cols - 1, int(x1) + 1); ++x) {
       clip(0, -1, x - 0.5, row, &left);
       clip(0, 1, x + 0.5, left, &pixel);

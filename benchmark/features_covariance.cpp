@@ -88,6 +88,7 @@ void BM_LineCovariance(benchmark::State& state) {
   Coverage coverage;
   coverage.limits = Eigen::Vector3d(1.38629, 4.60517, 9.21034);  // chi-square of two degrees of freedom
   long missed = 0;
+
   for (auto _ : state)
     while (coverage.draws < kDraws) {
       const int n = 3 + int(uniform(&random, 0, 3));
@@ -98,6 +99,7 @@ void BM_LineCovariance(benchmark::State& state) {
         const double angle = turn + 2 * M_PI * (i + uniform(&random, -.2, .2)) / n;
         corners.push_back(centre + r * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
       }
+
       const cv::Mat grey = photographOf(corners, 160, 160, &random);
       const FeatureSet features = detectFeatures(grey, benchCamera(grey));
       for (int i = 0; i < n; ++i) {
@@ -123,6 +125,7 @@ void BM_EllipseCovariance(benchmark::State& state) {
   Coverage coverage;
   coverage.limits = Eigen::Vector3d(4.35146, 9.23636, 15.08627);  // chi-square of five degrees of freedom
   long missed = 0;
+
   for (auto _ : state)
     while (coverage.draws < kDraws) {
       Ellipse e;
@@ -131,6 +134,7 @@ void BM_EllipseCovariance(benchmark::State& state) {
       if (e.b < 5) continue;
       e.angle = uniform(&random, 0, M_PI);
       e.centre = {70 + uniform(&random, -1, 1), 70 + uniform(&random, -1, 1)};
+
       Corners corners;
       for (int i = 0; i < 360; ++i) corners.push_back(e.at(i * M_PI / 180));
       const cv::Mat grey = photographOf(corners, 140, 140, &random);
@@ -144,6 +148,7 @@ void BM_EllipseCovariance(benchmark::State& state) {
         ++missed;
         continue;
       }
+
       Eigen::VectorXd error(5);
       const double turn = best->ellipse.angle - e.angle;
       error << best->ellipse.centre - e.centre, best->ellipse.a - e.a, best->ellipse.b - e.b,

@@ -81,7 +81,8 @@ std::vector<Sample> contourSamples(const BopImage& image, const Camera& camera, 
       if (p.z() <= 0) continue;
       const Eigen::Vector2d uv = camera.project(p);
       if (c.group == group && (uv - last).norm() < 1) continue;
-      group = c.group, last = uv;
+      group = c.group;
+      last = uv;
       if (uv.x() < 3 || uv.y() < 3 || uv.x() > camera.width - 4 || uv.y() > camera.height - 4) continue;
       const Eigen::Vector2d ahead = camera.project(pose * (c.p + 1e-4 * c.tangent)) - uv;
       if (!(ahead.norm() > 1e-9)) continue;
@@ -137,10 +138,12 @@ void BM_EdgeCoverage(benchmark::State& state) {
     state.SkipWithError("MONOCULAR_EYE_HAND_DATA names no folder with the data sets");
     return;
   }
+
   const BenchDataset& set = sets[size_t(state.range(0))];
   const Models models = buildModels(set.models);
   long samples = 0, hits[kDetectors] = {}, as_few[kDetectors] = {};
   std::vector<double> counts[kDetectors];
+
   for (auto _ : state)
     for (const BopImage& image : set.images.images) {
       const cv::Mat grey = loadBopImage(image);
@@ -160,6 +163,7 @@ void BM_EdgeCoverage(benchmark::State& state) {
         }
       }
     }
+
   state.SetLabel(set.name);
   state.counters["samples"] = double(samples);
   for (int d = 0; d < kDetectors; ++d) {

@@ -50,7 +50,10 @@ struct EllipseScores {
       for (size_t k = 0; k < detections.size(); ++k) {
         const double overlap = intersectionOverUnion(t, detections[k]);
         if (overlap >= kMatch) matched[k] = 1;
-        if (overlap > best) best = overlap, at = &detections[k];
+        if (overlap > best) {
+          best = overlap;
+          at = &detections[k];
+        }
       }
       if (best < kMatch) continue;
       ++found;

@@ -82,10 +82,12 @@ void BM_FrontEnd(benchmark::State& state) {
     state.SkipWithError("MONOCULAR_EYE_HAND_DATA names no folder with the data sets");
     return;
   }
+
   const BenchDataset& set = sets[size_t(state.range(0))];
   const Size size = kSizes[state.range(1)];
   std::vector<double> ours, edge_drawing, lsd, ratio;
   std::array<std::vector<double>, kStages.size()> stages;
+
   for (auto _ : state)
     for (const BopImage& image : set.images.images) {
       const cv::Mat grey = enlarged(loadBopImage(image), size);
@@ -100,6 +102,7 @@ void BM_FrontEnd(benchmark::State& state) {
       const auto stage_times = stageMilliseconds(grey);
       for (size_t k = 0; k < kStages.size(); ++k) stages[k].push_back(stage_times[k]);
     }
+
   state.SetLabel(set.name + " " + std::to_string(size.width) + " x " + std::to_string(size.height));
   state.counters["images"] = double(ours.size());
   state.counters["ours_ms"] = quantile(ours, 0.5);

@@ -57,6 +57,7 @@ class SegmentScorer {
     if (length < kShortestEdge) return match;
     ++scores_.edges;
     const Eigen::Vector2d u = (to - from) / length, n(-u.y(), u.x());
+
     std::vector<std::pair<double, double>> covered;
     double longest = 0;
     for (size_t k = 0; k < segments.size(); ++k) {
@@ -69,8 +70,12 @@ class SegmentScorer {
       if (std::fabs(n.dot(0.5 * (s.p + s.q) - from)) > 2 || t1 < 2 || t0 > length - 2) continue;
       used_[k] = 1;
       covered.push_back({std::max(0.0, t0), std::min(length, t1)});
-      if (s.length() > longest) longest = s.length(), match.longest = s;
+      if (s.length() > longest) {
+        longest = s.length();
+        match.longest = s;
+      }
     }
+
     if (unionLength(&covered) < 0.7 * length) return match;
     match.found = true;
     ++scores_.recalled;

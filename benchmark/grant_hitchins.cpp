@@ -51,7 +51,10 @@ void balance(Polynomial* c) {
   double sum = 0;
   int count = 0;
   for (const double k : *c)
-    if (k != 0) sum += std::log2(std::abs(k)), ++count;
+    if (k != 0) {
+      sum += std::log2(std::abs(k));
+      ++count;
+    }
   const int shift = -int(std::lround(sum / count));
   for (double& k : *c) k = std::ldexp(k, shift);
 }
@@ -66,10 +69,14 @@ Complex search(const Polynomial& c) {
       if (std::norm(v.slope) <= 1e-30 * std::norm(v.p)) break;  // a saddle point
       Complex step = -v.p / v.slope;
       double length = std::abs(step);
-      if (length > 1) step /= length, length = 1;
+      if (length > 1) {
+        step /= length;
+        length = 1;
+      }
       Value next = evaluate(c, z + step);
       while (std::norm(next.p) > (1 - 2e-4 * length) * std::norm(v.p) && length > kEpsilon * std::abs(z)) {
-        step *= 0.5, length *= 0.5;
+        step *= 0.5;
+        length *= 0.5;
         next = evaluate(c, z + step);
       }
       if (std::norm(next.p) >= std::norm(v.p)) return z;  // no smaller value is to be had
@@ -99,7 +106,10 @@ Polynomial deflate(const Polynomial& c, const Polynomial& divisor) {
   double best = std::numeric_limits<double>::infinity();
   for (size_t k = 0; k < n; ++k) {
     const double apart = std::abs(high[k] - low[k]) / (std::abs(high[k]) + std::abs(low[k]));
-    if (apart < best) best = apart, join = k;
+    if (apart < best) {
+      best = apart;
+      join = k;
+    }
   }
   Polynomial quotient(n);
   for (size_t k = 0; k < n; ++k) quotient[k] = k < join ? low[k] : high[k];
@@ -133,6 +143,7 @@ std::vector<Complex> grantHitchinsRoots(Polynomial c) {
     roots.push_back(0);
     c.erase(c.begin());
   }
+
   double scale = 1;
   while (c.size() > 3) {
     balance(&c);
@@ -141,6 +152,7 @@ std::vector<Complex> grantHitchinsRoots(Polynomial c) {
       for (size_t k = 0; k < c.size(); ++k) c[k] = std::ldexp(c[k], int(k));
       balance(&c);
     }
+
     Complex z = search(c);
     if (std::abs(z.imag()) <= 0.1) {
       const Value real = evaluate(c, z.real());
@@ -154,6 +166,7 @@ std::vector<Complex> grantHitchinsRoots(Polynomial c) {
       c = deflate(c, {std::norm(z), -2 * z.real(), 1});
     }
   }
+
   if (c.size() > 1) solveQuadratic(c, scale, &roots);
   return roots;
 }

@@ -87,9 +87,16 @@ void Score::add(const P3PProblem& problem, const std::vector<Rigid3>& poses, int
   }
   errors.push_back(best);
   none += valid == 0;
-  over1e9 += !(best < 1e-9), over1e6 += !(best < 1e-6), over1e3 += !(best < 1e-3), over1e1 += !(best < 1e-1);
-  bogus += bad > 0, duplicate += twice > 0;
-  if (reference >= 0) fewer += valid<reference, more += valid> reference;
+  over1e9 += !(best < 1e-9);
+  over1e6 += !(best < 1e-6);
+  over1e3 += !(best < 1e-3);
+  over1e1 += !(best < 1e-1);
+  bogus += bad > 0;
+  duplicate += twice > 0;
+  if (reference >= 0) {
+    fewer += valid < reference;
+    more += valid > reference;
+  }
 }
 
 void report(benchmark::State& state, const std::string& who, Score* score) {

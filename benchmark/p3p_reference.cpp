@@ -82,8 +82,11 @@ Quad squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 Quad cosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   Quad ab = 0, aa = 0, bb = 0;
-  for (int i = 0; i < 3; ++i)
-    ab += Quad(a[i]) * Quad(b[i]), aa += Quad(a[i]) * Quad(a[i]), bb += Quad(b[i]) * Quad(b[i]);
+  for (int i = 0; i < 3; ++i) {
+    ab += Quad(a[i]) * Quad(b[i]);
+    aa += Quad(a[i]) * Quad(a[i]);
+    bb += Quad(b[i]) * Quad(b[i]);
+  }
   return ab / squareRoot(aa * bb);
 }
 
@@ -99,6 +102,7 @@ int referenceCount(const P3PProblem& p) {
   const Quad alpha = cosine(p.bearings.col(1), p.bearings.col(2)),
              beta = cosine(p.bearings.col(0), p.bearings.col(2)),
              gamma = cosine(p.bearings.col(0), p.bearings.col(1));
+
   const Quad q = (a2 - c2) / b2, r = (a2 + c2) / b2;
   const Quad k4 = (q - 1) * (q - 1) - 4 * c2 / b2 * alpha * alpha;
   const Quad k3 = 4 * (q * (1 - q) * beta - (1 - r) * alpha * gamma + 2 * c2 / b2 * alpha * alpha * beta);
@@ -108,6 +112,7 @@ int referenceCount(const P3PProblem& p) {
   const Quad k0 = (1 + q) * (1 + q) - 4 * a2 / b2 * gamma * gamma;
   const std::array<Quad, 4> monic = {k0 / k4, k1 / k4, k2 / k4, k3 / k4};
   const QuadRoots roots = sharpened(durandKerner(monic), monic);
+
   int count = 0;
   for (size_t i = 0; i < 4; ++i) {
     for (size_t k = 0; k < 4; ++k)

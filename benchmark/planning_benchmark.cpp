@@ -86,15 +86,20 @@ void BM_PathsSideBySide(benchmark::State& state) {
   const CollisionWorld world = boxWorld();
   const std::array<JointLimit, 6> limits = Puma560().options().joints;
   BenchJoints low, high;
-  for (int i = 0; i < 6; ++i) low[i] = limits[i].lower, high[i] = limits[i].upper;
+  for (int i = 0; i < 6; ++i) {
+    low[i] = limits[i].lower;
+    high[i] = limits[i].upper;
+  }
   const BenchJoints home{{M_PI / 2, M_PI / 2, -M_PI / 2, 0, 0.3, 0}};
   const std::vector<BenchJoints> goals = binGoals(world, limits, 20);
+
   std::vector<double> ours, peer, peer_plan, ours_length, peer_length;
   int missed = 0, peer_missed = 0;
   if (!peerValid(home) || !world.valid(vectorOf(home))) state.SkipWithError("the home posture is not free");
   PathOptions options;
   options.resolution = 0.005 * (vectorOf(high) - vectorOf(low)).norm();  // the peer's
   PathTest test = testIn(world);
+
   for (auto _ : state)
     for (const BenchJoints& goal : goals)
       for (int run = 0; run < 10;
@@ -114,6 +119,7 @@ void BM_PathsSideBySide(benchmark::State& state) {
           length += (path.points[i + 1] - path.points[i]).norm();
         ours_length.push_back(length);
       }
+
   state.counters["ours_ms"] = 1e3 * quantile(ours, 0.5);
   state.counters["ours_p99_ms"] = 1e3 * quantile(ours, 0.99);
   state.counters["peer_ms"] = 1e3 * quantile(peer, 0.5);
@@ -175,6 +181,7 @@ void BM_PickPlan(benchmark::State& state) {
   CollisionWorld world = demoWorld();
   std::vector<double> times, durations;
   int planned = 0, penetrations = 0;
+
   for (auto _ : state)
     for (int scene = 0; scene < 70; ++scene)
       for (const PickRequest& request : randomScene(&world, &random)) {
@@ -192,6 +199,7 @@ void BM_PickPlan(benchmark::State& state) {
                                           PathOptions().resolution / 10)
                                .first.empty();
       }
+
   state.counters["median_ms"] = 1e3 * quantile(times, 0.5);
   state.counters["p99_ms"] = 1e3 * quantile(times, 0.99);
   state.counters["plans"] = double(times.size());

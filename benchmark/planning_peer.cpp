@@ -110,6 +110,7 @@ PeerTimes peerPlan(const BenchJoints& start, const BenchJoints& goal, const Benc
   bounds.low.assign(low.begin(), low.end());
   bounds.high.assign(high.begin(), high.end());
   space->setBounds(bounds);
+
   og::SimpleSetup setup(space);
   setup.setStateValidityChecker([](const ob::State* s) {
     BenchJoints q;
@@ -117,11 +118,16 @@ PeerTimes peerPlan(const BenchJoints& start, const BenchJoints& goal, const Benc
     return peerValid(q);
   });
   setup.getSpaceInformation()->setStateValidityCheckingResolution(0.005);
+
   ob::ScopedState<> from(space), to(space);
-  for (int i = 0; i < 6; ++i) from[i] = start[i], to[i] = goal[i];
+  for (int i = 0; i < 6; ++i) {
+    from[i] = start[i];
+    to[i] = goal[i];
+  }
   setup.setStartAndGoalStates(from, to);
   setup.setPlanner(std::make_shared<og::RRTConnect>(setup.getSpaceInformation()));
   setup.setup();
+
   PeerTimes times;
   const double begin = cpuSeconds();
   times.found = setup.solve(5.0) == ob::PlannerStatus::EXACT_SOLUTION;

@@ -98,7 +98,9 @@ void BM_CirclePoses(benchmark::State& state) {
   std::vector<Ellipse> ellipses(kProblems);
   for (Ellipse& e : ellipses) {
     e.centre = {uniform(random, 50, 590), uniform(random, 50, 430)};
-    e.a = uniform(random, 10, 80), e.b = e.a * uniform(random, 0.2, 0.95), e.angle = uniform(random, 0, 3);
+    e.a = uniform(random, 10, 80);
+    e.b = e.a * uniform(random, 0.2, 0.95);
+    e.angle = uniform(random, 0, 3);
   }
   size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(circlePoses(ellipses[i++ % kProblems], camera, 0.03));

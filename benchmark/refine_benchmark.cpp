@@ -20,8 +20,11 @@ struct Problem {
 
 Camera camera() {
   Camera c;
-  c.width = 640, c.height = 480;
-  c.fx = c.fy = 600, c.cx = 320, c.cy = 240;
+  c.width = 640;
+  c.height = 480;
+  c.fx = c.fy = 600;
+  c.cx = 320;
+  c.cy = 240;
   return c;
 }
 

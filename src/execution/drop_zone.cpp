@@ -25,11 +25,13 @@ FootprintBox footprintOf(const Mesh& mesh, const Rigid3& base_from_object) {
     const Eigen::Vector3d p = base_from_object.rotation * vertex;
     points.emplace_back(float(p.x()), float(p.y()));
   }
+
   const cv::RotatedRect rectangle = cv::minAreaRect(points);
   cv::Point2f corners[4];
   rectangle.points(corners);
   cv::Point2f a = corners[1] - corners[0], b = corners[2] - corners[1];
   if (cv::norm(a) < cv::norm(b)) std::swap(a, b);
+
   FootprintBox footprint;
   footprint.centre = {rectangle.center.x, rectangle.center.y};
   footprint.centre += base_from_object.translation.head<2>();

@@ -99,12 +99,14 @@ CollisionWorld SceneMemory::world(const std::optional<PlacedObject>& subject, in
     if (!world.has(label)) world.addMesh(label, mesh(object.name), object.base_from_object);
   };
   if (subject) add(subject->label(), *subject);
+
   const auto is_subject = [&](const PlacedObject& object) {
     return (subject && (object.label() == subject->label() || same(object, *subject))) ||
            (in_hand && object.name == in_hand->name && standsAt(object, *in_hand));
   };
   for (const PlacedObject& object : seen_)
     if (!is_subject(object)) add(object.label(), object);
+
   for (const auto& entry : placed_) {
     if (entry.first == free_place) continue;
     const PlacedObject& object = entry.second;

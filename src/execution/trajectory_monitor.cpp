@@ -40,7 +40,10 @@ void TrajectoryMonitor::advance(double stamp, const JointVector& joints) {
   double best = at_, least = off(at_);
   for (double t = at_ + kStep; t < latest + kStep; t += kStep) {
     const double at = std::min(t, latest);
-    if (off(at) < least) best = at, least = off(at);
+    if (off(at) < least) {
+      best = at;
+      least = off(at);
+    }
   }
   at_ = std::max(at_, best);
 }
@@ -56,11 +59,13 @@ TrajectoryMonitor::State TrajectoryMonitor::update(double stamp, const JointVect
          << " allowed)";
     return fail(text.str());
   }
+
   const double duration = trajectory_.duration(), since = stamp - start_;
   const JointVector goal = trajectory_.sample(duration).position;
   const double rest = apart(goal, joints);
   if (since >= duration && rest <= options_.goal_tolerance && speed <= options_.stand_speed)
     return state_ = State::kArrived;
+
   if (since - at_ > options_.lag && at_ < duration) {
     text << "the arm is " << since - at_ << " s behind the plan (" << options_.lag << " allowed)";
     return fail(text.str());

@@ -48,6 +48,7 @@ Camera fullCamera(const sensor_msgs::CameraInfo& info, ImageKind kind) {
   Camera camera;
   camera.width = int(info.width);
   camera.height = int(info.height);
+
   if (kind == ImageKind::kRectified) {
     if (allZero(info.P))
       throw BadCameraInfo(
@@ -72,6 +73,7 @@ Camera fullCamera(const sensor_msgs::CameraInfo& info, ImageKind kind) {
     camera.cy = info.K[5];
     setDistortion(&camera, info.distortion_model, info.D.data(), info.D.size());
   }
+
   camera.check();
   return camera;
 }
@@ -85,6 +87,7 @@ Camera cameraFromInfo(const sensor_msgs::CameraInfo& info, ImageKind kind, int w
   requireFinite(info.D, "D");
   requireFinite(info.R, "R");
   requireFinite(info.P, "P");
+
   const PixelWindow window = windowOf(info, kind);
   if (window.width / window.bin_x != width || window.height / window.bin_y != height) {
     std::string expected = size(window.width / window.bin_x, window.height / window.bin_y);
@@ -94,6 +97,7 @@ Camera cameraFromInfo(const sensor_msgs::CameraInfo& info, ImageKind kind, int w
     throw BadCameraInfo("the image is " + size(width, height) + " but camera_info describes " + expected +
                         ": use the calibration of this image size");
   }
+
   try {
     return fullCamera(info, kind).seenThrough(window);
   } catch (const BadCameraInfo&) {

@@ -120,6 +120,7 @@ RecognizedObject toMessage(const std_msgs::Header& header, const ObjectEstimate&
   message.reliability = object.reliability;
   message.probability = object.probability;
   message.decision = toDecision(object.decision);
+
   for (const Alternative& alternative : object.alternatives) {
     monocular_eye_hand::PoseAlternative entry;
     entry.name = models.objects.at(size_t(alternative.object)).model.name;
@@ -127,6 +128,7 @@ RecognizedObject toMessage(const std_msgs::Header& header, const ObjectEstimate&
     entry.probability = alternative.probability;
     message.alternatives.push_back(entry);
   }
+
   message.matched_features = object.matched_features;
   message.expected_features = object.expected_features;
   message.bounding_box = toRegion(object.bounding_box);

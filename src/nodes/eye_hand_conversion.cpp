@@ -19,6 +19,7 @@ SeenObject toSeenObject(const RecognizedObject& message, const ModelBase& models
   if (seen.object < 0)
     throw BadInput("object '" + message.name + "' is not in the model base (" + models.names() +
                    "): recognizer and eye_hand must load the same one");
+
   const geometry_msgs::Quaternion& q = message.pose.pose.orientation;
   const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   if (!(std::abs(length - 1) <= kUnit)) {
@@ -26,6 +27,7 @@ SeenObject toSeenObject(const RecognizedObject& message, const ModelBase& models
     text << "the orientation of " << message.name << " has length " << length << ", not 1";
     throw BadInput(text.str());
   }
+
   seen.camera_from_object = fromPose(message.pose.pose);
   requirePose(seen.camera_from_object, ("the pose of " + message.name).c_str());
   for (int row = 0; row < 6; ++row)
@@ -73,12 +75,14 @@ GraspTarget toMessage(const LocatedObject& object, const GraspCandidate& grasp) 
   target.approach.x = grasp.approach.x();
   target.approach.y = grasp.approach.y();
   target.approach.z = grasp.approach.z();
+
   target.width = grasp.part_width;
   target.opening = grasp.opening;
   target.branch = name(grasp.branch);
   copyJoints(grasp.pregrasp_joints, &target.pregrasp_joints);
   copyJoints(grasp.grasp_joints, &target.grasp_joints);
   copyJoints(grasp.lift_joints, &target.retreat_joints);
+
   target.free = grasp.free;
   target.needed = grasp.needed;
   target.quality = grasp.quality;

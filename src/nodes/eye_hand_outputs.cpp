@@ -23,6 +23,7 @@ EyeHandOutputs::EyeHandOutputs(const ModelBase& models, const EyeHandParameters&
     pending_ = any_;
     changed_.notify_all();
   };
+
   objects_ = private_node_.advertise<LocatedObjectArray>(names::kObjects, 10, true);
   best_grasps_ = private_node_.advertise<GraspTargetArray>(names::kBestGrasps, 10, listener);
   grasp_poses_ = private_node_.advertise<geometry_msgs::PoseArray>(names::kGraspPoses, 10, listener);
@@ -70,6 +71,7 @@ void EyeHandOutputs::work() {
       repeatMarkers();
       continue;
     }
+
     if (stop_) return;
     pending_ = false;
     const KnownObjects known = newest_;

@@ -13,6 +13,7 @@ void EyeHandParameters::check() const {
   requireGiven("tool_frame", tool_frame, "the tf frame of the arm's flange");
   for (const std::string& joint : joint_names)
     requireGiven("joint_names", joint, "the six names of the arm's joints");
+
   requirePositive("wait", wait);
   requirePositive("memory", memory);
   requirePositive("max_joint_gap", max_joint_gap);
@@ -20,10 +21,12 @@ void EyeHandParameters::check() const {
   requirePositive("max_tf_distance", max_tf_distance);
   requirePositive("max_tf_turn", max_tf_turn);
   require(max_waiting >= 1, "max_waiting", max_waiting, "1 or more");
+
   require(std::isfinite(table_height), "table_height", table_height, "finite");
   requireOwnNames(boxes);
   require(held_width >= 0, "held_width", held_width, "0 or more");
   requirePositive("still", still);
+
   require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");
   requirePositive("label_height", label_height);
   requirePositive("diagnostic_period", diagnostic_period);

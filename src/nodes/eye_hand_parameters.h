@@ -44,17 +44,37 @@ struct EyeHandParameters {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("objects", objects), v("urdf", urdf);
-    v("base_frame", base_frame), v("tool_frame", tool_frame), v("joint_names", joint_names);
+    v("objects", objects);
+    v("urdf", urdf);
+    v("base_frame", base_frame);
+    v("tool_frame", tool_frame);
+    v("joint_names", joint_names);
     v("rectified", rectified);
-    v("wait", wait), v("memory", memory);
-    v("max_joint_gap", max_joint_gap), v("max_joint_age", max_joint_age);
-    v("max_tf_distance", max_tf_distance), v("max_tf_turn", max_tf_turn), v("max_waiting", max_waiting);
-    v("table", table), v("table_height", table_height), v("table_frame", table_frame);
-    v("boxes", boxes), v("held_width", held_width), v("still", still);
-    v("marker_triangles", marker_triangles), v("label_height", label_height);
+
+    v("wait", wait);
+    v("memory", memory);
+    v("max_joint_gap", max_joint_gap);
+    v("max_joint_age", max_joint_age);
+    v("max_tf_distance", max_tf_distance);
+    v("max_tf_turn", max_tf_turn);
+    v("max_waiting", max_waiting);
+
+    v("table", table);
+    v("table_height", table_height);
+    v("table_frame", table_frame);
+    v("boxes", boxes);
+    v("held_width", held_width);
+    v("still", still);
+
+    v("marker_triangles", marker_triangles);
+    v("label_height", label_height);
     v("diagnostic_period", diagnostic_period);
-    v("map", map), v("arm", arm), v("gripper", gripper), v("sampling", sampling), v("grasp", grasp);
+
+    v("map", map);
+    v("arm", arm);
+    v("gripper", gripper);
+    v("sampling", sampling);
+    v("grasp", grasp);
   }
 };
 

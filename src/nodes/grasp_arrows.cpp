@@ -15,7 +15,10 @@ Marker arrow(const GraspTarget& target) {
   marker.action = Marker::ADD;
   marker.pose.orientation.w = 1;
   marker.points = {target.pregrasp.position, target.grasp.position};
-  marker.scale.x = 0.006, marker.scale.y = 0.014, marker.scale.z = 0.02;  // shaft, head, head's length [m]
+  // Shaft, head and the head's length [m].
+  marker.scale.x = 0.006;
+  marker.scale.y = 0.014;
+  marker.scale.z = 0.02;
   // The better the grasp the greener.
   marker.color.r = float(1 - target.quality);
   marker.color.g = float(target.quality);

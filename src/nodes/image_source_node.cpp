@@ -98,6 +98,7 @@ void ImageSourceNode::run() {
   if (!sequence_->next(&image)) throw BadInput("source: " + parameters_.source + " holds no image");
   ROS_INFO("%s", sequence_->describe().c_str());
   waitForSubscriber();
+
   int published = 0;
   while (ros::ok()) {
     publish(image);

@@ -189,6 +189,7 @@ Marker viewMarker(const std::string& optical_frame, const Camera& camera, double
   marker.frame_locked = 1;
   marker.ns = "view";
   marker.color = toColour(1, 0.85, 0.2);
+
   const double right = camera.width - 1, bottom = camera.height - 1;
   const std::array<Eigen::Vector2d, 4> pixels{
       Eigen::Vector2d(0, 0), {right, 0}, {right, bottom}, {0, bottom}};
@@ -198,6 +199,7 @@ Marker viewMarker(const std::string& optical_frame, const Camera& camera, double
     corners[k] =
         depth * Eigen::Vector3d((uv.x() - camera.cx) / camera.fx, (uv.y() - camera.cy) / camera.fy, 1);
   }
+
   for (size_t k = 0; k < 4; ++k) {
     addLine(Eigen::Vector3d::Zero(), corners[k], &marker);
     addLine(corners[k], corners[(k + 1) % 4], &marker);

@@ -81,6 +81,7 @@ visualization_msgs::Marker pathMarker(const std::string& frame, const ToolArm& a
   marker.color.g = 0.8f;
   marker.color.b = 0.9f;
   marker.color.a = 1;
+
   for (const Trajectory& motion : motions)
     for (double t = 0; t < motion.duration() + kMarkerStep; t += kMarkerStep) {
       const TrajectoryState at = motion.sample(std::min(t, motion.duration()));

@@ -67,6 +67,7 @@ Marker dropZoneMarker(const PlannerParameters& parameters) {
   marker.color.r = 0.2f;
   marker.color.g = 0.9f;
   marker.color.b = 0.4f;
+
   if (zone.list.empty()) {
     const Rigid3 rectangle = upright(zone.x, zone.y, z, zone.yaw);
     const double a = zone.length / 2, b = zone.width / 2;
@@ -75,6 +76,7 @@ Marker dropZoneMarker(const PlannerParameters& parameters) {
     addLine(rectangle, {a, b}, {-a, b}, &marker);
     addLine(rectangle, {-a, b}, {-a, -b}, &marker);
   }
+
   for (const DropPlace& place : zone.places())
     addLine(upright(place.x, place.y, z, place.yaw), {-kStrokeLength / 2, 0}, {kStrokeLength / 2, 0},
             &marker);

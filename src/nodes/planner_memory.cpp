@@ -69,6 +69,7 @@ std::optional<PickMemory> fromParameter(Value value) {
   } catch (const XmlRpc::XmlRpcException&) {  // not what keepMemory() wrote
     return std::nullopt;
   }
+
   for (const Rigid3* pose : {&memory.object.base_from_object, &memory.target.base_from_pregrasp,
                              &memory.target.base_from_grasp, &memory.target.base_from_lift})
     if (!pose->isFinite() || !isRotation(pose->rotation)) return std::nullopt;

@@ -78,11 +78,13 @@ PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& n
     cell_.publish(cellMarkers(parameters_));
   });
   objects_subscriber_ = node_.subscribe(names::kLocatedObjects, 10, &PlannerNode::onObjects, this);
+
   updater_.setHardwareID("none");
   updater_.add("robot", this, &PlannerNode::robotStatus);
   updater_.add("planning", this, &PlannerNode::planningStatus);
   timer_ = node_.createWallTimer(ros::WallDuration(parameters.diagnostic_period),
                                  [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+
   pick_.start();
   place_.start();
   move_.start();
@@ -170,6 +172,7 @@ void PlannerNode::run(Server<Action>* server, const char* action,
       remember(action, ended);
     }
   }  // free for the next goal before this one's result is known
+
   const Result result = toMessage<Result>(ended);
   if (ended.done()) {
     server->setSucceeded(result);

@@ -14,10 +14,19 @@ struct PlannerParameters : ExecutorOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("objects", objects), v("urdf", urdf), v("base_frame", base_frame), v("table", table);
-    v("boxes", boxes), v("drop_zone", drop_zone), v("drop_gap", drop_gap), v("drop_above", drop_above);
-    v("feedback_period", feedback_period), v("diagnostic_period", diagnostic_period);
-    v("execution", execution), v("planning", planning), v("arm", arm);
+    v("objects", objects);
+    v("urdf", urdf);
+    v("base_frame", base_frame);
+    v("table", table);
+    v("boxes", boxes);
+    v("drop_zone", drop_zone);
+    v("drop_gap", drop_gap);
+    v("drop_above", drop_above);
+    v("feedback_period", feedback_period);
+    v("diagnostic_period", diagnostic_period);
+    v("execution", execution);
+    v("planning", planning);
+    v("arm", arm);
   }
 };
 

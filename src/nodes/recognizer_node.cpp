@@ -89,6 +89,7 @@ void RecognizerNode::workOn(const CameraFrame& frame, const std::vector<PendingR
   const auto refuse = [&](uint8_t status, const std::string& text) {
     for (const PendingRequestPtr& request : requests) requests_.answer(request, reply(status, text));
   };
+
   try {
     WorkedImage image = prepare(frame);
     if (frame.restarts != support_restarts_) support_.restart();
@@ -99,6 +100,7 @@ void RecognizerNode::workOn(const CameraFrame& frame, const std::vector<PendingR
     outputs_.showView(image.header, image.camera);
     diagnostics_.cameraGood(std::to_string(image.grey.cols) + "x" + std::to_string(image.grey.rows) + " " +
                             frame.image->encoding);
+
     // One object by name is looked for on its own: that search ends at the first good match. The search for
     // all serves whoever listens and every call for all; when it runs it alone is published.
     bool want_all = publish_all;
@@ -173,6 +175,7 @@ Recognize::Response RecognizerNode::search(WorkedImage image, const std::string&
   image.only = only;
   image.result = recognizer_.recognize(image.grey, image.camera, request);
   image.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
   if (fromBeforeRestart(image)) {
     ROS_INFO("time went back while an image was worked on: its results are dropped");
     return reply(Recognize::Response::FAILED, "time went back while the image was worked on: ask again");

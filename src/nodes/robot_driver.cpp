@@ -139,6 +139,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
     follower_.emplace(trajectory, latest(start), options_.follow);
   }
   arm_command_.publish(toMessage(trajectory));
+
   Drive drive;
   ros::WallTime told;
   std::unique_lock<std::mutex> lock(mutex_);
@@ -148,6 +149,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
     const std::string lost = watch.lost && gripper_ ? watch.lost(*gripper_) : "";
     const double progress = follower_->progress();
     const std::string failure = follower_->reason();
+
     lock.unlock();
     on = false;
     if (!ros::ok() || watch.cancelled())
@@ -162,6 +164,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
       drive = stopped(ActionOutcome::kGraspLost, lost);
     else
       on = state != TrajectoryMonitor::State::kArrived;
+
     if (watch.feedback && (!on || ros::WallTime::now() - told > feedback_period_)) {
       watch.feedback(progress);
       told = ros::WallTime::now();
@@ -169,6 +172,7 @@ Drive RobotDriver::follow(const Trajectory& trajectory, const DriveWatch& watch)
     lock.lock();
     if (on) changed_.wait_for(lock, kPoll);
   }
+
   follower_.reset();
   motion_time_ += (ros::Time::now() - start).toSec();
   return drive;
@@ -189,10 +193,12 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
   std_msgs::Float64 command;
   command.data = width;
   gripper_command_.publish(command);
+
   const auto fault = [&](const std::string& reason) {
     motion_time_ += (ros::Time::now() - start).toSec();
     return Drive{ActionOutcome::kFault, reason};
   };
+
   std::unique_lock<std::mutex> lock(mutex_);
   const double from = latest(start);
   while (ros::ok()) {
@@ -213,6 +219,7 @@ Drive RobotDriver::moveFingers(double width, bool closing, const DriveWatch& wat
       return fault("cancelled; the clock stands: whether the fingers moved is not known");
     changed_.wait_for(lock, kPoll);
   }
+
   lock.unlock();
   motion_time_ += (ros::Time::now() - start).toSec();
   if (watch.feedback) watch.feedback(1);

@@ -29,11 +29,20 @@ struct TaskParameters {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("objects", objects), v("cache", cache), v("urdf", urdf), v("base_frame", base_frame);
-    v("centre", centre), v("settle", settle), v("look_timeout", look_timeout);
-    v("answer_timeout", answer_timeout), v("motion_timeout", motion_timeout);
-    v("holding_width", holding_width), v("state_max_age", state_max_age);
-    v("views", views), v("clear_frame", clear_frame), v("arm", arm);
+    v("objects", objects);
+    v("cache", cache);
+    v("urdf", urdf);
+    v("base_frame", base_frame);
+    v("centre", centre);
+    v("settle", settle);
+    v("look_timeout", look_timeout);
+    v("answer_timeout", answer_timeout);
+    v("motion_timeout", motion_timeout);
+    v("holding_width", holding_width);
+    v("state_max_age", state_max_age);
+    v("views", views);
+    v("clear_frame", clear_frame);
+    v("arm", arm);
   }
 };
 

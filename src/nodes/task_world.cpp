@@ -101,11 +101,13 @@ RosTaskWorld::RosTaskWorld(const ModelBase* models, const TaskParameters& parame
       place_client_(kPlace, false),
       move_(kMove, false) {
   requireSameArm(description_, arm_);
+
   objects_subscriber_ = node_.subscribe(names::kLocatedObjects, 10, &RosTaskWorld::objectsCallback, this);
   recognized_subscriber_ =
       node_.subscribe(names::kRecognizedObjects, 10, &RosTaskWorld::recognizedCallback, this);
   gripper_subscriber_ = node_.subscribe(names::kGripperState, 10, &RosTaskWorld::gripperCallback, this);
   joints_subscriber_ = node_.subscribe(names::kJointStates, 10, &RosTaskWorld::jointsCallback, this);
+
   recognize_ = node_.serviceClient<Recognize>(names::kAskRecognizer);
   grasp_targets_ = node_.serviceClient<GraspTargets>(kGraspTargets);
   forget_ = node_.serviceClient<ForgetObject>(kForget);
@@ -206,12 +208,14 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
     look.reason = "no joint_states of joint1 to joint6: is the arm's driver (or work_cell) running?";
     return look;
   }
+
   const std::vector<Rigid3> poses =
       cameraViews(view, lookTarget(view), arm_, description_.tool0_from_camera, *current, parameters_.views);
   if (poses.empty()) {
     look.reason = "no camera pose from which to look there is within the arm's reach";
     return look;
   }
+
   MoveGoal goal;
   goal.link = names::kCameraFrame;
   for (const Rigid3& pose : poses) goal.poses.push_back(toPose(pose));
@@ -220,6 +224,7 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
     look.reason = "the camera did not get there: " + moved.reason;
     return look;
   }
+
   // The clock may be later to arrive than the states it stamped: a view from before the motion must not
   // count.
   const ros::Time stands = std::max(ros::Time::now(), move_.getResult()->stamp);
@@ -258,6 +263,7 @@ void RosTaskWorld::askRecognizer() {
   std::unique_lock<std::mutex> lock(mutex_);
   const auto wanted = [this] { return ending_ || ask_after_; };
   const auto enough = [this] { return ending_ || !ask_after_; };
+
   while (true) {
     asked_.wait(lock, wanted);
     if (ending_) return;
@@ -267,12 +273,14 @@ void RosTaskWorld::askRecognizer() {
     const bool there = recognize_.exists();
     const bool answered = there && recognize_.call(call);
     lock.lock();
+
     if (there)
       gone_at_ = Moment();
     else if (gone_at_.never())
       gone_at_ = Moment::now();
     gone_now_ = !there && ask_after_;
     complaint_ = answered ? complaintOf(call.response) : "";
+
     const auto recognized = [&] { return enough() || recognized_ >= after; };
     if (!answered)
       asked_.wait_for(lock, kSlowTopic, enough);
@@ -286,6 +294,7 @@ std::string RosTaskWorld::silence(const ros::Time& after) const {
   if (recognizerGone())
     return "the node recognizer does not run (any more): its service " +
            node_.resolveName(names::kAskRecognizer) + " is not there";
+
   std::string who;
   if (recognized_subscriber_.getNumPublishers() == 0)
     who = "nobody publishes " + recognized + ": is the node recognizer running?";
@@ -301,6 +310,7 @@ std::string RosTaskWorld::silence(const ros::Time& after) const {
     who = "nobody publishes " + located + ": is the node eye_hand running?";
   else
     who = located + " is silent, though the recognizer is not: look at the node eye_hand";
+
   if (!complaint_.empty()) who += "; the recognizer says: " + complaint_;
   return "no view within look_timeout = " + std::to_string(parameters_.look_timeout) + " s; " + who;
 }
@@ -312,6 +322,7 @@ TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
   ros::Time last;
   const Moment begin = Moment::now();
   std::unique_lock<std::mutex> lock(mutex_);
+
   while (true) {
     if (view_ && view_->header.stamp >= after) {
       if (view_->refused.empty()) break;
@@ -329,6 +340,7 @@ TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
     }
     new_view_.wait_for(lock, std::chrono::milliseconds(50));
   }
+
   look.done = true;
   look.stamp = view_->header.stamp.toSec();
   for (const LocatedObject& object : view_->objects) look.objects.push_back(fromMessage(object, *models_));

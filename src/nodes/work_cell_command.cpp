@@ -72,6 +72,7 @@ ArmCommand armCommand(const trajectory_msgs::JointTrajectory& trajectory, double
   if (trajectory.points.empty()) return command;
   command.path = pathOf(trajectory);
   if (trajectory.header.stamp.isZero()) return command;
+
   const double ahead = trajectory.header.stamp.toSec() - now;
   if (ahead > kLongestWait)
     throw BadInput("header.stamp lies " + std::to_string(ahead) +
@@ -80,6 +81,7 @@ ArmCommand armCommand(const trajectory_msgs::JointTrajectory& trajectory, double
     command.start = trajectory.header.stamp.toSec();
     return command;
   }
+
   const auto first = std::find_if(command.path.begin(), command.path.end(),
                                   [&](const CellPathPoint& point) { return point.time + ahead > 0; });
   if (first == command.path.end())

@@ -118,6 +118,7 @@ void WorkCellOutputs::camera() {
 void WorkCellOutputs::truth() {
   WorkCellTruth message;
   message.header = header(names::kBaseFrame);
+
   const std::vector<CellTruth> objects = cell_.truth();
   for (size_t k = 0; k < objects.size(); ++k) {
     if (objects[k].taken_away) continue;
@@ -130,6 +131,7 @@ void WorkCellOutputs::truth() {
     object.in_drop_zone = cell_.inDropZone(int(k));
     message.objects.push_back(object);
   }
+
   message.collisions = cell_.collisions();
   for (; told_events_ < cell_.events().size(); ++told_events_) {
     const CellEvent& event = cell_.events()[told_events_];

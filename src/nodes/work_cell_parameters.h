@@ -23,9 +23,16 @@ struct WorkCellParameters {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("objects", objects), v("urdf", urdf), v("real_time_factor", real_time_factor),
-        v("joint_rate", joint_rate), v("camera_rate", camera_rate), v("images_in_motion", images_in_motion),
-        v("truth_rate", truth_rate), v("camera_threads", camera_threads), v("arm", arm), v("cell", cell);
+    v("objects", objects);
+    v("urdf", urdf);
+    v("real_time_factor", real_time_factor);
+    v("joint_rate", joint_rate);
+    v("camera_rate", camera_rate);
+    v("images_in_motion", images_in_motion);
+    v("truth_rate", truth_rate);
+    v("camera_threads", camera_threads);
+    v("arm", arm);
+    v("cell", cell);
   }
 };
 

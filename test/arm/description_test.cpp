@@ -148,6 +148,7 @@ TEST(ArmDescription, WrongFilesAreRefusedByName) {
   } catch (const BadInput& e) {
     EXPECT_THAT(e.what(), HasSubstr("/nowhere/arm.urdf: cannot be read"));
   }
+
   const TemporaryUrdf alone(
       replaced(urdfText(), "package://monocular_eye_hand", "package://no_such_package"));
   try {
@@ -157,6 +158,7 @@ TEST(ArmDescription, WrongFilesAreRefusedByName) {
     EXPECT_THAT(e.what(),
                 HasSubstr("base_link.stl is neither in the folder of the URDF nor in one above it"));
   }
+
   EXPECT_THAT(refusal("</robot>", ""), HasSubstr("is no URDF"));
   EXPECT_THAT(refusal("<parent link=\"link2\"/>", "<parent link=\"link22\"/>"), HasSubstr("link22"));
   EXPECT_THAT(refusal("<link name=\"gripper_tcp\">", "<link name=\"grip\">"), HasSubstr("gripper_tcp"));

@@ -101,8 +101,10 @@ TEST(Puma560, InverseFindsTheJointsItCameFromWithTheirBranch) {
 
 TEST(Puma560, EveryTurnInsideTheLimits) {
   Puma560Options options;
-  for (int i : {0, 3, 5})
-    options.joints[size_t(i)].lower = -2 * M_PI, options.joints[size_t(i)].upper = 2 * M_PI;
+  for (int i : {0, 3, 5}) {
+    options.joints[size_t(i)].lower = -2 * M_PI;
+    options.joints[size_t(i)].upper = 2 * M_PI;
+  }
   const Puma560 arm(options);
   JointVector q;
   q << 0.3, 0.4, -0.9, 0.5, 0.6, -0.7;

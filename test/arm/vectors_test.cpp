@@ -76,7 +76,10 @@ void checkInverse(const Puma560& arm, const json& vector) {
 void checkBranches(const json& vector) {
   Puma560Options options;
   options.shoulder_height = options.d6 = 0;
-  for (JointLimit& limit : options.joints) limit.lower = -M_PI, limit.upper = M_PI - 1e-8;
+  for (JointLimit& limit : options.joints) {
+    limit.lower = -M_PI;
+    limit.upper = M_PI - 1e-8;
+  }
   const Puma560 arm(options);
   ArmSolutions found;
   arm.inverse(arm.baseFromTool0(joints(vector.at("q"))), JointVector::Zero(), &found);

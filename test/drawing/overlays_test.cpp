@@ -169,6 +169,7 @@ TEST(Overlays, ObjectLiesOnItsProjectedEdgesAndHidesTheHiddenOnes) {
   std::vector<cv::Point> pixels;
   cv::findNonZero(seen, pixels);
   ASSERT_GT(pixels.size(), 500u);
+
   // Every edge in short pieces, as the lens bends it.
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> pieces;
   const auto at = [&](const Eigen::Vector3d& p) { return canvas.at(lens().project(boxPose() * p)); };
@@ -187,6 +188,7 @@ TEST(Overlays, ObjectLiesOnItsProjectedEdgesAndHidesTheHiddenOnes) {
   }
   EXPECT_GE(visible_edges, 7);  // two or three faces of a box
   EXPECT_LT(visible_edges, 12);
+
   for (const cv::Point& pixel : pixels) {
     double least = 1e9;
     for (const auto& [a, b] : pieces) least = std::min(least, distance({pixel.x, pixel.y}, a, b));
@@ -248,6 +250,7 @@ TEST(Overlays, OnePicturePerKindOfGrouping) {
   ellipse.ellipses = {0};
   std::vector<Grouping> groupings{junction, ellipse, junction, junction};
   groupings[3].segments = {17, -1};  // indices out of range are skipped, not followed
+
   const std::vector<GroupingPicture> pictures = groupingPictures(greyImage(), features, groupings, 2);
   ASSERT_EQ(pictures.size(), 2u);
   EXPECT_EQ(pictures[0].kind, GroupingKind::kJunction);
@@ -255,6 +258,7 @@ TEST(Overlays, OnePicturePerKindOfGrouping) {
   EXPECT_EQ(pictures[0].total, 3);
   EXPECT_EQ(pictures[1].total, 1);
   EXPECT_GT(cv::norm(pictures[0].picture, pictures[1].picture, cv::NORM_INF), 50);
+
   // Connected lines share a colour, single ones are grey.
   const Canvas where(greyImage(), features.camera);
   const auto colour = [&](const cv::Mat& image, const Eigen::Vector2d& uv) {
@@ -265,6 +269,7 @@ TEST(Overlays, OnePicturePerKindOfGrouping) {
   const cv::Mat apart = lineGroupsPicture(greyImage(), features, {});
   EXPECT_EQ(colour(together, {250, 120}), colour(together, {175, 315}));
   EXPECT_NE(colour(together, {250, 120}), colour(apart, {250, 120}));
+
   // What meets by chance connects nothing.
   const cv::Mat wary = lineGroupsPicture(greyImage(), features, groupings, 0.7);
   EXPECT_EQ(cv::norm(wary, apart, cv::NORM_INF), 0);

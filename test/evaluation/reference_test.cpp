@@ -51,6 +51,7 @@ std::vector<BopResult> randomResults(const BopSplit& split, const BopModels& mod
         row.object = truth.object;
         row.score = random.below(20) / 20.0;
         row.time = seconds;
+
         const double size = std::exp(random.uniform(std::log(1e-3), std::log(0.3)));
         Rigid3 pose = truth.camera_from_object;
         if (!model.symmetries.discrete.empty() && random.chance(0.5))
@@ -61,6 +62,7 @@ std::vector<BopResult> randomResults(const BopSplit& split, const BopModels& mod
         pose.rotation = nearestRotation(expSO3(random.vector() * size) * pose.rotation);
         pose.translation += random.vector() * size * 0.3;
         if (random.chance(0.05)) pose.translation += random.vector() * 0.5;
+
         row.camera_from_object = pose;
         if (random.chance(0.15)) row.object = 1 + random.below(int(models.size()));
         results.push_back(row);

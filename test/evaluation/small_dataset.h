@@ -61,11 +61,13 @@ inline void writeSmallDataset(const TempFolder& folder) {
        "symmetries_discrete": [[-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]]}})");
   folder.write("camera.json",
                R"({"width": 640, "height": 480, "fx": 1000, "fy": 1000, "cx": 319.5, "cy": 239.5})");
+
   const std::string k = R"({"cam_K": [1000, 0, 319.5, 0, 1000, 239.5, 0, 0, 1], "depth_scale": 1})";
   const auto gt = [](int object, const std::string& t) {
     return R"({"cam_R_m2c": [1, 0, 0, 0, 1, 0, 0, 0, 1], "cam_t_m2c": [)" + t + R"(], "obj_id": )" +
            std::to_string(object) + "}";
   };
+
   folder.write("dev/000001/scene_camera.json", "{\"0\": " + k + ", \"3\": " + k + "}");
   folder.write("dev/000001/scene_gt.json", "{\"0\": [" + gt(1, "0, 0, 1000") + ", " + gt(5, "200, 0, 1000") +
                                                "], \"3\": [" + gt(1, "0, 0, 1000") + ", " +
@@ -76,6 +78,7 @@ inline void writeSmallDataset(const TempFolder& folder) {
   folder.write("dev/000002/scene_camera.json", "{\"0\": " + k + "}");
   folder.write("dev/000002/scene_gt.json", "{\"0\": [" + gt(5, "0, 0, 2000") + "]}");
   folder.write("dev/readme.txt", "not a scene");
+
   cv::Mat image(480, 640, CV_8UC1, cv::Scalar(90));
   image.at<uchar>(7, 5) = 200;
   for (const char* name :

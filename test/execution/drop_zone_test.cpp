@@ -47,12 +47,14 @@ TEST(DropTargets, ThePartStandsAtThePlaceAsItStood) {
   Rigid3 grasp = pose(0.52, 0.12, 0.35, 0.4);
   grasp.rotation = grasp.rotation * Eigen::AngleAxisd(2.9, Eigen::Vector3d::UnitX()).toRotationMatrix();
   const Rigid3 tcp_from_block = grasp.inverse() * base_from_block;
+
   DropPlace place;
   place.x = 0.4;
   place.y = -0.3;
   place.yaw = 1.5;
   const std::vector<DropTarget> drops = dropTargets(place, footprint, grasp, 0.001, 0.1);
   ASSERT_EQ(drops.size(), 8u);
+
   for (size_t k = 0; k < drops.size(); ++k) {
     const Rigid3 put = drops[k].base_from_tcp * tcp_from_block;
     EXPECT_NEAR(put.translation.z(), 0.301, 1e-9) << "it stands as high as before, and the gap";
@@ -67,6 +69,7 @@ TEST(DropTargets, ThePartStandsAtThePlaceAsItStood) {
     EXPECT_LT((down - Eigen::Vector3d(0, 0, 0.099)).norm(), 1e-9);
     EXPECT_LT((drops[k].base_from_tcp_above.rotation - drops[k].base_from_tcp.rotation).norm(), 1e-12);
   }
+
   EXPECT_LT(angleBetween(grasp.rotation, drops[0].base_from_tcp.rotation),
             angleBetween(grasp.rotation, drops[1].base_from_tcp.rotation))
       << "the smaller turn first";

@@ -31,7 +31,10 @@ TEST(Fusion, ViewsShrinkTheImagePartOnly) {
     const Eigen::Vector3d shift(0.012 * k - 0.15, 0, 0);
     map.add(view(k + 1, kTarget + shift + Eigen::Vector3d(0, 0, 0.5), kTarget + shift, {{kBridge, truth}}));
     const MappedObject o = map.objects().at(0);
-    if (k == 0) first_image = o.image_covariance(0, 0), first_total = o.covariance(0, 0);
+    if (k == 0) {
+      first_image = o.image_covariance(0, 0);
+      first_total = o.covariance(0, 0);
+    }
   }
   const MappedObject o = map.objects().at(0);
   EXPECT_EQ(o.views, 25);
@@ -53,11 +56,13 @@ TEST(Fusion, CovarianceAgreesWithMonteCarlo) {
     for (int k = 0; k < 6; ++k) v[k] = normal(generator);
     return Eigen::LLT<Matrix6d>(covariance).matrixL() * v;
   };
+
   ObjectMapOptions options;
   options.floor_position = options.floor_rotation = 1e-9;
   options.gate = 1e9;
   options.same_place = 10;
   options.arm.joint_sigma = {5e-4, 5e-4, 5e-4, 5e-4, 5e-4, 5e-4};
+
   const std::vector<JointVector> places = {(JointVector() << 0.2, 0.9, -2.4, 0.2, 0.3, 0).finished(),
                                            (JointVector() << -0.3, 0.8, -2.2, -0.6, 0.5, 0.7).finished(),
                                            (JointVector() << 0.1, 1.1, -2.6, 1.2, -0.4, -1.0).finished()};
@@ -65,6 +70,7 @@ TEST(Fusion, CovarianceAgreesWithMonteCarlo) {
   const Rigid3 truth = arm.baseFromTool0(places[0]) * eye.tool0_from_camera *
                        Rigid3{Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, 2).normalized()).toRotationMatrix(),
                               {0.02, -0.03, 0.4}};
+
   Matrix6d sampled = Matrix6d::Zero(), stated = Matrix6d::Zero();
   const int runs = 4000;
   for (int run = 0; run < runs; ++run) {
@@ -92,6 +98,7 @@ TEST(Fusion, CovarianceAgreesWithMonteCarlo) {
     sampled += d * d.transpose() / runs;
     stated = o.covariance;
   }
+
   stated.diagonal().head<3>().array() -= options.arm.position_sigma * options.arm.position_sigma;
   const Vector6d scale = stated.diagonal().cwiseSqrt().cwiseInverse();
   const Matrix6d gap = scale.asDiagonal() * (sampled - stated) * scale.asDiagonal();

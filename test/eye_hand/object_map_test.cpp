@@ -173,7 +173,10 @@ TEST(ObjectMap, WhatAnotherObjectHidesIsKept) {
   for (const bool hidden : {true, false}) {
     ObjectMap map(&models());
     std::vector<std::pair<int, Rigid3>> first{{kBridge, back}}, second;
-    if (hidden) first.push_back({kBridge, front}), second.push_back({kBridge, front});
+    if (hidden) {
+      first.push_back({kBridge, front});
+      second.push_back({kBridge, front});
+    }
     map.add(view(1, above, kTarget, first));
     ASSERT_EQ(map.objects().size(), first.size());
     map.add(view(2, low, {0.45, 0, 0.015}, second));

@@ -131,11 +131,13 @@ void expectConsistent(const FeatureSet& f) {
     next += t.count;
   }
   EXPECT_EQ(next, f.points.size());
+
   for (const EdgePoint& p : f.points) {
     ASSERT_TRUE(p.uv.allFinite());
     ASSERT_NEAR(p.normal.norm(), 1, 1e-4);
     ASSERT_GT(p.sigma, 0);
   }
+
   const auto in_trace = [&](int trace, int first, int count) {
     ASSERT_LT(size_t(trace), f.traces.size());
     EXPECT_GE(first, f.traces[trace].first);
@@ -159,6 +161,7 @@ void expectConsistent(const FeatureSet& f) {
     for (int arc : f.arcsOf(e)) EXPECT_LT(size_t(arc), f.arcs.size());
     arcs += e.arc_count;
   }
+
   EXPECT_EQ(size_t(pieces), f.joined_pieces.size());
   EXPECT_EQ(size_t(arcs), f.ellipse_arcs.size());
 }

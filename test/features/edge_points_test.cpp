@@ -42,15 +42,18 @@ TEST(EdgePoints, AreTheMaximaAlongTheGradient) {
     const int rows = 24;
     cv::Mat image(rows, cols, CV_8U);
     for (int i = 0; i < rows * cols; ++i) image.data[i] = uchar(uniform(&g, 0, 255));
+
     FeatureOptions options;
     options.noise_factor = 0;
     EdgeMap edges;
     EdgeDetector(options).detect(image, &edges);
+
     const GradientKernel kernel = gradientKernel(options.smoothing_sigma);
     GradientRows gradients(kernel);
     gradients.start(image);
     cv::Mat dx(rows, cols, CV_32F), dy(rows, cols, CV_32F), m(rows, cols, CV_32F);
     for (int y = 0; y < rows; ++y) gradients.compute(y, dx.ptr<float>(y), dy.ptr<float>(y), m.ptr<float>(y));
+
     size_t next = 0;
     for (int y = 2; y < rows - 2; ++y)
       for (int x = 2; x < cols - 2; ++x) {
@@ -76,7 +79,10 @@ TEST(EdgePoints, AreTheMaximaAlongTheGradient) {
 
 TEST(FitPoints, AreSpreadOverTheRangesAndPaddedByNothing) {
   std::vector<EdgePoint> points(1000);
-  for (int i = 0; i < 1000; ++i) points[i].uv = {float(i), 0}, points[i].sigma = 0.1f;
+  for (int i = 0; i < 1000; ++i) {
+    points[i].uv = {float(i), 0};
+    points[i].sigma = 0.1f;
+  }
   FitPoints taken;
   taken.assign(points, {{100, 303}, {700, 50}}, 60);
   ASSERT_GT(taken.count(), 50);
@@ -96,8 +102,10 @@ TEST(FitPoints, PaddingDoesNotMoveTheFit) {
   const Ellipse truth{{50, 40}, 30, 18, 0.4};
   for (int n = 40; n < 48; ++n) {
     std::vector<EdgePoint> points(n);
-    for (int i = 0; i < n; ++i)
-      points[i].uv = truth.at(2 * M_PI * i / n).cast<float>(), points[i].sigma = 0.1f;
+    for (int i = 0; i < n; ++i) {
+      points[i].uv = truth.at(2 * M_PI * i / n).cast<float>();
+      points[i].sigma = 0.1f;
+    }
     FitPoints taken;
     taken.assign(points, {{0, n}}, n);
     const EllipseFit fit = refineEllipse(taken, fitEllipseDirect(taken).ellipse, 5);

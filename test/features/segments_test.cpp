@@ -48,6 +48,7 @@ void score(const FeatureSet& features, const std::vector<Truth>& truth, Score* t
       const bool same = (s.q - s.p).dot(t.b - t.a) > 0;
       end_error = std::max((s.p - (same ? t.a : t.b)).norm(), (s.q - (same ? t.b : t.a)).norm());
     }
+
     ++total->edges;
     if (covered < 0.7 * length) continue;
     ++total->found;
@@ -56,6 +57,7 @@ void score(const FeatureSet& features, const std::vector<Truth>& truth, Score* t
     total->normalized_offset.push_back(std::fabs(best_offset) / sigma);
     total->corner.push_back(end_error);
   }
+
   for (size_t i = 0; i < right.size(); ++i) {
     if (features.segments[i].joined()) continue;
     ++total->detected;
@@ -174,6 +176,7 @@ TEST(Segments, CollinearPiecesAreJoinedAcrossAGap) {
   bar.grey = 235;
   scene.add(box);
   scene.add(bar);
+
   const FeatureSet features = detectFeatures(scene.render(camera, 2, &g), camera);
   const Truth whole{box.corners[0], box.corners[1]};
   int joined = 0;
@@ -194,6 +197,7 @@ TEST(Segments, CollinearPiecesAreJoinedAcrossAGap) {
       EXPECT_EQ(s.trace, -1);
     }
   }
+
   EXPECT_EQ(joined, 1);
   EXPECT_FALSE(plain_over) << "joined segments stand after the plain ones";
 }

@@ -55,8 +55,10 @@ class SyntheticScene {
   explicit SyntheticScene(double background) : background_(background) {}
   void add(const ConvexPolygon& p) {
     Shape shape{[p](const Eigen::Vector2d& uv) { return p.inside(uv); }, p.grey, p.corners[0], p.corners[0]};
-    for (const Eigen::Vector2d& c : p.corners)
-      shape.low = shape.low.cwiseMin(c), shape.high = shape.high.cwiseMax(c);
+    for (const Eigen::Vector2d& c : p.corners) {
+      shape.low = shape.low.cwiseMin(c);
+      shape.high = shape.high.cwiseMax(c);
+    }
     shapes_.push_back(shape);
   }
   void add(const FilledEllipse& e) {
@@ -86,6 +88,7 @@ class SyntheticScene {
             sum += at((i + 0.5) / kSamples - 0.5, (j + 0.5) / kSamples - 0.5);
         image.at<float>(y, x) = float(sum / (kSamples * kSamples));
       }
+
     cv::GaussianBlur(image, image, {0, 0}, 0.7);
     std::normal_distribution<float> normal(0.f, 1.f);
     cv::Mat grey(image.size(), CV_8U);

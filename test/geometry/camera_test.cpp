@@ -193,7 +193,8 @@ TEST(Camera, WindowsKeepRays) {
 
 TEST(Camera, EquidistantLensesAreOpenCVsFisheye) {
   Camera c = with("equidistant", {-0.012, 0.004, -0.003, 0.0006});
-  c.fx = 205, c.fy = 203;  // 160 degrees wide
+  c.fx = 205;  // 160 degrees wide
+  c.fy = 203;
   std::vector<cv::Point3d> points;
   for (double x = -5; x <= 5; x += 0.5)
     for (double y = -4; y <= 4; y += 0.5) points.push_back({x, y, 1});

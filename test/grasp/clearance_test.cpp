@@ -24,6 +24,7 @@ TEST(Clearance, AgreesWithMonteCarlo) {
     const Eigen::Vector4d q = vector().head<4>().normalized();
     return Rigid3{Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix(), size * vector().head<3>()};
   };
+
   const GripperOptions gripper;
   GraspPlanOptions options;
   options.min_clearance = 0;
@@ -34,6 +35,7 @@ TEST(Clearance, AgreesWithMonteCarlo) {
     root.topRows<3>() *= 1e-3;
     root.bottomRows<3>() *= 1e-2;
     const ClearanceNeed need = clearanceNeed(object, root * root.transpose(), tcp, 0.04, gripper, options);
+
     // A point of the part at each pad corner, where it goes in the hand's y; and the hand's origin in x and
     // z.
     double corners[4] = {}, across = 0, along = 0;
@@ -49,6 +51,7 @@ TEST(Clearance, AgreesWithMonteCarlo) {
       across += std::pow(tcp_from_moved.translation.x(), 2) / count;
       along += std::pow(tcp_from_moved.translation.z(), 2) / count;
     }
+
     EXPECT_NEAR(need.closing, 3 * std::sqrt(*std::max_element(corners, corners + 4)), 0.03 * need.closing);
     EXPECT_NEAR(need.across, 3 * std::sqrt(across), 0.03 * need.across);
     EXPECT_NEAR(need.along, 3 * std::sqrt(along), 0.03 * need.along);

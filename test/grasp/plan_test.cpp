@@ -225,6 +225,7 @@ TEST(PlanGrasps, BadInputIsNamed) {
         }
         return std::string("no error");
       };
+
   using O = GraspObject;
   using S = GraspScene;
   using P = GraspPlanOptions;
@@ -237,6 +238,7 @@ TEST(PlanGrasps, BadInputIsNamed) {
               HasSubstr("obstacle has no model"));
   EXPECT_THAT(failure([](O*, S*, P* p, J*) { p->max_tilt = 2; }), HasSubstr("max_tilt = 2"));
   EXPECT_THAT(failure([](O*, S*, P*, J* j) { (*j)[2] = NAN; }), HasSubstr("joint angles"));
+
   GraspPlanOptions options;
   EXPECT_THROW(readOptions(parseYaml("sigma: 2"), &options), BadInput);
 }

@@ -78,12 +78,14 @@ inline ObjectModel box(const Eigen::Vector3d& half, bool symmetric = true) {
       s.point = half[axis] * s.axis;
       m.surfaces.push_back(s);  // surface 2 * axis + (sign < 0)
     }
+
   const auto corner = [&](int bits) {
     return Eigen::Vector3d((bits & 1 ? -1 : 1) * half.x(), (bits & 2 ? -1 : 1) * half.y(),
                            (bits & 4 ? -1 : 1) * half.z());
   };
   m.corners.resize(8);
   for (int bits = 0; bits < 8; ++bits) m.corners[bits].p = corner(bits);
+
   for (int axis = 0; axis < 3; ++axis)
     for (int bits = 0; bits < 8; ++bits) {
       if (bits & (1 << axis)) continue;
@@ -102,6 +104,7 @@ inline ObjectModel box(const Eigen::Vector3d& half, bool symmetric = true) {
       for (int v : e.vertex) m.corners[v].edges.push_back(int(m.edges.size()));
       m.edges.push_back(e);
     }
+
   m.bounds = Eigen::AlignedBox3d(-half, half);
   m.diameter = 2 * half.norm();
   if (symmetric) m.symmetries.discrete = boxRotations(half);

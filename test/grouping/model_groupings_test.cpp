@@ -208,6 +208,7 @@ TEST(Correspondences, HoldEveryTrueOrder) {
       ModelBase base;
       base.objects.push_back(object);
       std::array<int, kGroupingKinds> checked{};
+
       for (int trial = 0; trial < 60; ++trial) {
         const Rigid3 pose = randomPose(&random, 0.45);
         std::vector<int> edges;
@@ -226,6 +227,7 @@ TEST(Correspondences, HoldEveryTrueOrder) {
           EXPECT_TRUE(any) << name(g.kind) << " " << name(g.shape) << " trial " << trial;
         }
       }
+
       for (GroupingKind kind : {GroupingKind::kEdge, GroupingKind::kJunction, GroupingKind::kTriplet,
                                 GroupingKind::kChain, GroupingKind::kQuad})
         EXPECT_GT(checked[int(kind)], 20) << name(kind);

@@ -85,17 +85,20 @@ TEST_F(CameraFiles, BadOnesNameFileAndField) {
     write(text);
     expectRefused([&] { loadCamera(path_); }, all);
   };
+
   expectRefused([] { loadCamera("/nowhere/camera.yaml"); }, {"/nowhere/camera.yaml", "cannot be read"});
   refused("", {"empty"});
   refused("just text", {"no camera calibration", "ost.ini"});
   refused("[1, 2, 3]", {"no camera calibration"});
   refused("image_width: [", {"line 1", "not YAML"});
   refused("image_width: 640\ncamera: &a {intrinsics: *a}", {"line 2", "nested too deeply"});
+
   refused(replaced("image_width: 640\n", ""), {"image_width", "missing"});
   refused(replaced("image_height: 480\n", ""), {"image_height", "missing"});
   refused(replaced("image_width: 640", "image_width: wide"), {"image_width", "wide"});
   refused(replaced("image_width: 640", "image_width: 640.5"), {"image_width", "whole number"});
   refused(replaced("image_width: 640", "image_width: 0"), {"width"});
+
   refused(replaced("camera_matrix:", "other_matrix:"), {"camera_matrix", "missing"});
   refused(replaced("620.0, 0.0, ", "620.0, "), {"camera_matrix", "8", "9"});
   refused(replaced("620.0", ".nan"), {"camera_matrix", "finite"});
@@ -109,6 +112,7 @@ TEST_F(CameraFiles, BadOnesNameFileAndField) {
   refused(replaced("620.0, 0.0, 318.3, 0.0, 615.0, 243.7, 0.0, 0.0, 1.0",
                    "620, 0, 0, 0, 615, 0, 318.3, 243.7, 1"),
           {"camera_matrix"});  // transposed
+
   refused(replaced("-0.28", ".nan"), {"distortion_coefficients", "finite"});
   refused(replaced("plumb_bob", "omnidirectional"), {"omnidirectional", "plumb_bob"});
   refused(replaced("-0.0005, 0.0]", "-0.0005, 0.0, 0.1]"), {"plumb_bob", "6"});

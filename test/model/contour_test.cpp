@@ -138,6 +138,7 @@ TEST(Contour, AgreesWithBruteForceOnSharpFeatures) {
     const char* name;
     Mesh mesh;
   };
+
   for (const Part& part :
        {Part{"cube", box(0.08, 0.08, 0.08)}, Part{"angle", angle()}, Part{"tube", tube(36, 0.03, 0.02, 0.05)},
         Part{"plate", plateWithHole(24, 0.03, 0.012, 0.02)},
@@ -166,6 +167,7 @@ TEST(Contour, AgreesWithBruteForceOnSharpFeatures) {
         shown += strict;
         wrong += has(p, group) != strict;
       };
+
       for (size_t e = 0; e < m.edges.size(); ++e) {
         const ModelEdge& edge = m.edges[e];
         const double length = (edge.q - edge.p).norm();
@@ -175,6 +177,7 @@ TEST(Contour, AgreesWithBruteForceOnSharpFeatures) {
           judge(edge.p + s / length * (edge.q - edge.p), m.groupOfEdge(int(e)));
         }
       }
+
       for (const ContourSample& s : contour) {
         if (s.group < int(m.edges.size()) || s.group >= m.groupOfSilhouette(0)) continue;
         // Circles: no visible sample may lie behind something. (The true rim of a hole lies in the

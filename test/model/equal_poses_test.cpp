@@ -43,7 +43,10 @@ TEST(FreeTurns, HeldAndFreedAreInverse) {
   for (int k = 0; k < 36; ++k) root(k / 6, k % 6) += 0.3 * std::sin(7.0 * k);
   Matrix6d covariance = 1e-6 * root * root.transpose();
   for (const bool ball : {false, true}) {
-    if (ball) model.symmetries = {}, model.symmetries.sphere = true;
+    if (ball) {
+      model.symmetries = {};
+      model.symmetries.sphere = true;
+    }
     const Matrix6d held = heldCovariance(model, pose, covariance);
     // However large the variance of the free angle is: what is held does not know it.
     const Matrix6d again = heldCovariance(model, pose, freedCovariance(model, pose, held));

@@ -33,7 +33,10 @@ std::vector<Point> densePoints(const Mesh& mesh, Random* random) {
     out.push_back((a + b + c) / 3);
     for (int k = 0; k < 8; ++k) {
       double u = uniform(random, 0, 1), v = uniform(random, 0, 1);
-      if (u + v > 1) u = 1 - u, v = 1 - v;
+      if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+      }
       out.push_back(a + u * (b - a) + v * (c - a));
     }
   }

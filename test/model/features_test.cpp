@@ -63,6 +63,7 @@ TEST_P(Round, CylinderHasTwoCirclesAndOneWall) {
       EXPECT_EQ(count(m, kPlane), 2);
       ASSERT_EQ(count(m, kCylinder), 1);
       EXPECT_EQ(count(m, kFreeform), 0);
+
       for (const ModelCircle& c : m.circles) {
         EXPECT_TRUE(c.full());
         EXPECT_TRUE(c.convex);
@@ -72,6 +73,7 @@ TEST_P(Round, CylinderHasTwoCirclesAndOneWall) {
         const Eigen::Vector3d outward = c.centre - object_from_shape * Eigen::Vector3d(0, 0, 0.015);
         EXPECT_NEAR(c.axis.dot(outward.normalized()), 1, 1e-6);  // out of the cap it bounds
       }
+
       for (const Surface& s : m.surfaces) {
         if (s.kind != kCylinder) continue;
         EXPECT_TRUE(s.convex);

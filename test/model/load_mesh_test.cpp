@@ -123,17 +123,20 @@ TEST(LoadMesh, BadPlyFilesAreRefusedWithTheReason) {
   EXPECT_THAT(failure("ply", "ply\nelement vertex 1\nend_header\n1\n"), HasSubstr("format"));
   EXPECT_THAT(failure("ply", "ply\nformat ascii 2.0\nend_header\n\n"), HasSubstr("1.0"));
   EXPECT_THAT(failure("ply", "ply\nformat nonsense 1.0\nend_header\n\n"), HasSubstr("nonsense"));
+
   EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 4\n", 4, 1)), HasSubstr("vertex 4"));
   EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 -1\n", 4, 1)), HasSubstr("vertex -1"));
   EXPECT_THAT(failure("ply", plyText(kFour, "2 0 1\n", 4, 1)), HasSubstr("no triangles"));
   EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 2\n", 4, 2000000000)), HasSubstr("damaged"));
   EXPECT_THAT(failure("ply", plyText(kFour, "99999 0 1 2\n", 4, 1)), HasSubstr("damaged"));
   EXPECT_THAT(failure("ply", plyText(kFour, "-3 0 1 2\n", 4, 1)), HasSubstr("damaged"));
+
   EXPECT_THAT(failure("ply", plyText("0 0 0\n1 0 inf\n1 1 0\n0 1 0\n", "3 0 1 2\n", 4, 1)),
               HasSubstr("finite"));
   EXPECT_THAT(failure("ply", plyText("0 0 0\n1 0 1e999\n1 1 0\n0 1 0\n", "3 0 1 2\n", 4, 1)),
               HasSubstr("finite"));
   EXPECT_THAT(failure("ply", plyText(kFour, "", 4, 0)), HasSubstr("no triangles"));
+
   EXPECT_THAT(
       failure("ply",
               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nelement face 0\n"

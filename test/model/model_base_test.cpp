@@ -75,11 +75,13 @@ void expectEqual(const KnownObject& a, const KnownObject& b) {
       EXPECT_EQ(v.contour[s].inner_side, w.contour[s].inner_side);
     }
   }
+
   ASSERT_EQ(a.views.characteristic.size(), b.views.characteristic.size());
   for (size_t k = 0; k < a.views.characteristic.size(); ++k) {
     EXPECT_EQ(a.views.characteristic[k].groups, b.views.characteristic[k].groups);
     EXPECT_EQ(a.views.characteristic[k].weight, b.views.characteristic[k].weight);
   }
+
   ASSERT_EQ(a.model.symmetries.discrete.size(), b.model.symmetries.discrete.size());
   for (size_t k = 0; k < a.model.symmetries.discrete.size(); ++k) {
     EXPECT_EQ(a.model.symmetries.discrete[k].rotation, b.model.symmetries.discrete[k].rotation);

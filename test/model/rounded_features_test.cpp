@@ -85,17 +85,20 @@ TEST(RoundedCircles, OfATurnedPartLieOnTheMiddlesOfItsRounds) {
                                   arc({0.025, 0.01 + foot}, foot, 1.5 * kPi, kPi),
                                   arc({0.02, 0.035 - r}, r, 0, kPi / 2),
                                   {{0, 0.035}}});
+
   for (const int around : {36, 72}) {
     const ObjectModel m = build(rounded(revolved(profile, around)));
     checkConsistent(m);
     EXPECT_EQ(m.circles.size(), 4u);
     EXPECT_EQ(count(m, kCylinder), 2);
     EXPECT_EQ(count(m, kPlane), 3);
+
     const ModelCircle* low = circleAt(m, 0.045 - kInset * r, kInset * r);
     const ModelCircle* rim = circleAt(m, 0.045 - kInset * r, 0.01 - kInset * r);
     const ModelCircle* inner = circleAt(m, 0.022 + kInset * foot, 0.01 + kInset * foot);
     const ModelCircle* top = circleAt(m, 0.022 - kInset * r, 0.035 - kInset * r);
     ASSERT_TRUE(low && rim && inner && top);
+
     for (const ModelCircle* c : {low, rim, top}) {
       EXPECT_TRUE(c->full());
       EXPECT_TRUE(c->convex);

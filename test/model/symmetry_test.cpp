@@ -145,6 +145,7 @@ TEST(Symmetry, NearSymmetricTwinIsWarnedAbout) {
 TEST(Symmetry, AgreesWithTheDataSets) {
   const char* data = std::getenv("MONOCULAR_EYE_HAND_DATA");
   if (!data) GTEST_SKIP() << "MONOCULAR_EYE_HAND_DATA is not set: the data sets' models are not compared";
+
   for (const std::string set : {"workcell", "real/cube", "real/cabinet"}) {
     const std::string folder = std::string(data) + "/" + set + "/models/";
     std::ifstream in(folder + "models_info.json");
@@ -158,6 +159,7 @@ TEST(Symmetry, AgreesWithTheDataSets) {
       const auto axes = truth.value("symmetries_continuous", nlohmann::json::array());
       EXPECT_EQ(m.symmetries.discrete.size(), listed.size() + 1) << file;
       EXPECT_EQ(bool(m.symmetries.axis), !axes.empty()) << file;
+
       for (const auto& s : listed) {
         Rigid3 want;
         for (int r = 0; r < 3; ++r) {
@@ -171,6 +173,7 @@ TEST(Symmetry, AgreesWithTheDataSets) {
         }
         EXPECT_LT(nearest, 1e-4) << file;
       }
+
       for (const auto& a : axes) {
         const Eigen::Vector3d want(a["axis"][0].get<double>(), a["axis"][1].get<double>(),
                                    a["axis"][2].get<double>());

@@ -82,6 +82,7 @@ TEST_P(Views, ClassesPartitionTheViewsAndTheirWeightsSumToOne) {
   const ViewSphere sphere = sampleViews(m, options);
   ASSERT_EQ(sphere.views.size(), sphere.distances.size() * sphere.directions);
   ASSERT_EQ(sphere.distances.size(), 3u);
+
   double samples = 0;
   for (size_t k = 0; k < sphere.views.size(); ++k) {
     const SampledView& v = sphere.views[k];
@@ -92,6 +93,7 @@ TEST_P(Views, ClassesPartitionTheViewsAndTheirWeightsSumToOne) {
   }
   EXPECT_NEAR(samples / double(sphere.views.size()), options.samples_per_view,
               0.15 * options.samples_per_view);
+
   std::vector<int> times(sphere.views.size(), 0);
   for (size_t c = 0; c < sphere.characteristic.size(); ++c) {
     const CharacteristicView& view = sphere.characteristic[c];

@@ -11,7 +11,8 @@ inline Rigid3 somePose(double x = 0.12) { return {expSO3({0.4, -1.1, 0.7}), {x, 
 /// A covariance whose transpose or another order is another one.
 inline Matrix6d someCovariance() {
   Matrix6d root = Matrix6d::Identity() * 0.01;
-  root(1, 0) = 0.002, root(5, 2) = -0.003;
+  root(1, 0) = 0.002;
+  root(5, 2) = -0.003;
   return root * root.transpose();
 }
 

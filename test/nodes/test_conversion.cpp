@@ -116,9 +116,11 @@ TEST(Conversion, MessageCarriesEveryField) {
   object.symmetry = "2 equal poses";
   object.free_axis = true;
   object.reason = "why";
+
   std_msgs::Header header;
   header.frame_id = "camera";
   const RecognizedObject message = toMessage(header, object, 3, oneObject());
+
   EXPECT_EQ(message.header.frame_id, "camera");
   EXPECT_EQ(message.name, "bridge");
   EXPECT_EQ(message.instance, 3);

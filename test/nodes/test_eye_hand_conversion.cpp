@@ -125,6 +125,7 @@ TEST(EyeHandConversion, GraspTargetCarriesEveryField) {
   grasp.needed = 0.004;
   grasp.quality = 0.9;
   grasp.source = "faces 3 and 5";
+
   const GraspTarget target = toMessage(object, grasp);
   EXPECT_EQ(target.header, object.header);
   EXPECT_EQ(target.name, "bridge");

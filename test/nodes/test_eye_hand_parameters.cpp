@@ -61,6 +61,7 @@ TEST(EyeHandParameters, AreChecked) {
       EXPECT_THAT(e.what(), testing::HasSubstr(field));
     }
   };
+
   using P = EyeHandParameters;
   refused("objects is not set", [](P* p) { p->objects.clear(); });
   refused("urdf is not set", [](P* p) { p->urdf.clear(); });

@@ -182,6 +182,7 @@ TEST(SharedMapTest, StampsAreKeptToTheNanosecond) {
   bridge.covariance = frame.covariance = Matrix6d::Identity() * 1e-8;
   bridge.camera_from_object.translation = {0, 0, -1};  // behind the camera: never missed
   frame.camera_from_object.translation = {0.5, 0, -1};
+
   const ros::Time first(1700000000, 123456789), second(1700000001, 987654321);
   view.objects = {bridge, frame};
   view.stamp = first.toSec();
@@ -189,6 +190,7 @@ TEST(SharedMapTest, StampsAreKeptToTheNanosecond) {
   view.objects = {frame};
   view.stamp = second.toSec();
   map.add(view, second);
+
   const KnownObjects known = map.known();
   ASSERT_EQ(known.messages.size(), 2u);
   EXPECT_EQ(known.messages[0].header.stamp, first);
@@ -196,6 +198,7 @@ TEST(SharedMapTest, StampsAreKeptToTheNanosecond) {
   EXPECT_EQ(known.stamp, second);
   EXPECT_NE(map.add(view, second).report.refused, "");
   EXPECT_NE(map.known().refused, "");
+
   const ros::Time forgotten(1700000003, 0), late(1700000002, 0);
   EXPECT_EQ(map.forget(bridge.object, 0, forgotten), 1);
   EXPECT_EQ(map.forget(bridge.object, 0, forgotten), 0);
@@ -204,6 +207,7 @@ TEST(SharedMapTest, StampsAreKeptToTheNanosecond) {
   view.stamp = second.toSec();
   EXPECT_EQ(map.forget(-1, -1, forgotten), 1);
   EXPECT_EQ(map.add(view, second).report.refused, "");  // stamps may start again
+
   map.clear();
   EXPECT_TRUE(map.known().stamp.isZero());
   EXPECT_TRUE(map.known().objects.empty());

@@ -59,20 +59,28 @@ TEST_F(ImageSequenceTest, OneImage) {
 }
 
 TEST_F(ImageSequenceTest, FolderInOrderOfNumbers) {
-  write("img10.png", 3), write("img2.png", 2), write("img1.PNG", 1);
+  write("img10.png", 3);
+  write("img2.png", 2);
+  write("img1.PNG", 1);
   std::ofstream(at("notes.txt")) << "no image";
   EXPECT_THAT(values(folder_.string()), ElementsAre(1, 2, 3));
 }
 
 TEST_F(ImageSequenceTest, PatternTakesWhatMatches) {
-  write("left08.png", 8), write("left09.png", 9), write("left10.png", 10), write("left100.png", 100);
-  write("left7.png", 7), write("leftxx.png", 1), write("right08.png", 2);
+  write("left08.png", 8);
+  write("left09.png", 9);
+  write("left10.png", 10);
+  write("left100.png", 100);
+  write("left7.png", 7);
+  write("leftxx.png", 1);
+  write("right08.png", 2);
   EXPECT_THAT(values(at("left%02d.png")), ElementsAre(8, 9, 10, 100));
   EXPECT_THAT(values(at("left%d.png")), ElementsAre(7, 10, 100));
 }
 
 TEST_F(ImageSequenceTest, RewindBeginsAgain) {
-  write("a1.png", 1), write("a2.png", 2);
+  write("a1.png", 1);
+  write("a2.png", 2);
   auto sequence = openImageSequence(at("a%d.png"), false);
   SequenceImage image;
   while (sequence->next(&image)) {

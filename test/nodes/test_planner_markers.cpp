@@ -67,7 +67,11 @@ TEST(PlannerMarkers, EveryBoxIsShown) {
   wall.name = "wall";
   wall.x = 1;
   wall.size = {{0.1, 2, 1}};
-  post.name = "post", post.z = 0.5, post.roll = 0.1, post.pitch = 0.2, post.yaw = 0.3,
+  post.name = "post";
+  post.z = 0.5;
+  post.roll = 0.1;
+  post.pitch = 0.2;
+  post.yaw = 0.3;
   post.size = {{1, 2, 3}};
   parameters.boxes = {wall, post};
   const auto array = cellMarkers(parameters);

@@ -183,6 +183,7 @@ TEST(TaskMessages, AGraspIsWhatItsMessageSays) {
   message.needed = 0.002;
   message.quality = 0.8;
   message.reason = "faces 1 and 2";
+
   const GraspCandidate grasp = fromMessage(message);
   EXPECT_LT(difference(grasp.base_from_pregrasp, somePose(0.1)).norm(), 1e-12);
   EXPECT_LT(difference(grasp.base_from_grasp, somePose(0.2)).norm(), 1e-12);

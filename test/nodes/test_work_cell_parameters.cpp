@@ -17,7 +17,9 @@ const std::string kConfig = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/confi
 // Defaults stand in the structs; the shipped file repeats them for people and must not drift.
 TEST(WorkCellParameters, ShippedCellHoldsTheDefaults) {
   CellOptions cell;
-  cell.objects.clear(), cell.lights.clear(), cell.start_joints.fill(0);
+  cell.objects.clear();
+  cell.lights.clear();
+  cell.start_joints.fill(0);
   readOptions(loadYaml(kConfig + "cell.yaml"), &cell);
   EXPECT_EQ(writeOptions(cell), writeOptions(CellOptions()));
 }

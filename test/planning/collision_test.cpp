@@ -119,7 +119,10 @@ TEST(CollisionWorld, MotionBoundHolds) {
   const Eigen::Vector3d corner(0.06, 0.02, 0.11);  // of the bridge, in gripper_tcp
   for (int n = 0; n < 500; ++n) {
     JointVector q, delta;
-    for (int i = 0; i < 6; ++i) q[i] = angle(random), delta[i] = small(random);
+    for (int i = 0; i < 6; ++i) {
+      q[i] = angle(random);
+      delta[i] = small(random);
+    }
     const double moved =
         (toolArm().baseFromTcp(q) * corner - toolArm().baseFromTcp(q + delta) * corner).norm();
     EXPECT_LE(moved, world.motionBound(delta));

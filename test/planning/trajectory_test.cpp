@@ -38,11 +38,16 @@ TEST(TimeParameterise, KeepsEveryLimitAndThePath) {
   for (int n = 0; n < 40; ++n) {
     const std::vector<JointVector> path = randomPath(&random, 2 + n % 5);
     TimingOptions options;
-    if (n % 2) options.speed = 0.5, options.acceleration = 0.25, options.tool_speed = 0.2;
+    if (n % 2) {
+      options.speed = 0.5;
+      options.acceleration = 0.25;
+      options.tool_speed = 0.2;
+    }
     const Trajectory trajectory = timeParameterise(arm, path, {}, options);
     EXPECT_LT((trajectory.points.front().position - path.front()).norm(), 1e-9);
     EXPECT_LT((trajectory.points.back().position - path.back()).norm(), 1e-9);
     EXPECT_EQ(trajectory.points.front().velocity.norm(), 0);
+
     const int samples = 2000;
     const double dt = trajectory.duration() / samples;
     TrajectoryState last = trajectory.sample(0);

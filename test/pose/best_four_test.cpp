@@ -24,8 +24,14 @@ TEST(BestFour, WidestSpreadAndLeastUncertainty) {
     points.push_back(m);
   };
   for (int i = 0; i < 6; ++i) add(0.01 * std::cos(i), 0.01 * std::sin(i), 0.002 * i, 0.5);  // a tight bunch
-  add(0.1, 0.1, 0, 0.5), add(-0.1, 0.1, 0, 0.5), add(-0.1, -0.1, 0, 0.5), add(0.1, -0.1, 0, 0.5);  // 6..9
-  add(0.1, 0.1, 0, 5), add(-0.1, -0.1, 0, 5);  // as wide, but uncertain
+  // 6..9, far apart
+  add(0.1, 0.1, 0, 0.5);
+  add(-0.1, 0.1, 0, 0.5);
+  add(-0.1, -0.1, 0, 0.5);
+  add(0.1, -0.1, 0, 0.5);
+  // as far apart, but uncertain
+  add(0.1, 0.1, 0, 5);
+  add(-0.1, -0.1, 0, 5);
   EXPECT_EQ(bestFour(points, pose, camera), (std::vector<int>{6, 7, 8, 9}));
   // A wide point that does not fit `start` is uncertain too.
   points[10].sigma = 0.5;

@@ -18,7 +18,11 @@ inline Ellipse imageOfCircle(const Eigen::Vector3d& centre, const Eigen::Vector3
   using Vector2l = Eigen::Matrix<long double, 2, 1>;
   const Vector3l n = normal.cast<long double>().normalized(), u = n.unitOrthogonal(), v = n.cross(u);
   Matrix3l k = Matrix3l::Zero(), plane;
-  k(0, 0) = camera.fx, k(1, 1) = camera.fy, k(0, 2) = camera.cx, k(1, 2) = camera.cy, k(2, 2) = 1;
+  k(0, 0) = camera.fx;
+  k(1, 1) = camera.fy;
+  k(0, 2) = camera.cx;
+  k(1, 2) = camera.cy;
+  k(2, 2) = 1;
   plane << radius * u, radius * v, centre.cast<long double>();
   const Matrix3l inverse = (k * plane).inverse();
   const Matrix3l conic = inverse.transpose() * Vector3l(1, 1, -1).asDiagonal() * inverse;

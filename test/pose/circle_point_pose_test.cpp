@@ -151,13 +151,15 @@ TEST(CirclePointPose, NothingToFindIsAResult) {
   const Camera camera = testCamera();
   const View v = randomView(random, camera, 0.7);
   ASSERT_EQ(solve(v, camera).count, 2);
+
   View bad = v;
   bad.object.point = v.object.centre + 0.03 * v.object.axis;  // no roll to see
   EXPECT_EQ(solve(bad, camera).count, 0);
   bad = v;
   bad.object.point = v.object.centre;
   EXPECT_EQ(solve(bad, camera).count, 0);
-  bad = v, bad.object.axis.setZero();
+  bad = v;
+  bad.object.axis.setZero();
   EXPECT_EQ(solve(bad, camera).count, 0);
   bad = v;
   bad.object.radius = 0;
@@ -165,6 +167,7 @@ TEST(CirclePointPose, NothingToFindIsAResult) {
   bad = v;
   bad.ellipse.b = 0;
   EXPECT_EQ(solve(bad, camera).count, 0);
+
   const double numbers[] = {std::numeric_limits<double>::quiet_NaN(),
                             std::numeric_limits<double>::infinity()};
   for (const double value : numbers) {

@@ -79,6 +79,7 @@ TEST(P3P, KnownSolutionsAllFoundNoOther) {
   std::stringstream numbers;
   while (std::getline(file, line))
     if (line[0] != '#') numbers << line << '\n';
+
   int problems = 0, with_count[5] = {};
   Matrix3d points, bearings;
   while (numbers >> points(0)) {
@@ -87,7 +88,9 @@ TEST(P3P, KnownSolutionsAllFoundNoOther) {
     int count = 0;
     numbers >> count;
     ASSERT_TRUE(numbers && count >= 1 && count <= 4);
-    ++problems, ++with_count[count];
+    ++problems;
+    ++with_count[count];
+
     const PoseSolutions poses = solveP3P(bearings, points * 1e-3);
     const TetrahedronLegs tetrahedron =
         solveTetrahedron(bearings, 1e-3 * Vector3d((points.col(1) - points.col(2)).norm(),
@@ -95,6 +98,7 @@ TEST(P3P, KnownSolutionsAllFoundNoOther) {
                                                    (points.col(0) - points.col(1)).norm()));
     EXPECT_EQ(poses.count, count) << "problem " << problems;
     EXPECT_EQ(tetrahedron.count, count) << "problem " << problems;
+
     for (int s = 0; s < count; ++s) {
       Vector3d legs, t;
       Matrix3d r;
@@ -110,6 +114,7 @@ TEST(P3P, KnownSolutionsAllFoundNoOther) {
       EXPECT_LT(legs_error, 1e-7) << "problem " << problems;
     }
   }
+
   EXPECT_EQ(problems, 40);
   for (int i = 1; i <= 4; ++i) EXPECT_GT(with_count[i], 0);
 }
@@ -326,8 +331,10 @@ TEST(P3P, OrderOfThePointsDoesNotMatter) {
     const PoseSolutions one = solveP3P(p.bearings, p.points);
     for (const auto& order : orders) {
       Matrix3d points, bearings;
-      for (int k = 0; k < 3; ++k)
-        points.col(k) = p.points.col(order[k]), bearings.col(k) = p.bearings.col(order[k]);
+      for (int k = 0; k < 3; ++k) {
+        points.col(k) = p.points.col(order[k]);
+        bearings.col(k) = p.bearings.col(order[k]);
+      }
       expectSamePoses(one, solveP3P(bearings, points), {});
     }
   }

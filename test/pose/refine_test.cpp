@@ -95,12 +95,14 @@ TEST(Refine, StopsAtTheMinimum) {
   options.max_iterations = 50;
   options.robust_scale = 0;
   options.min_step = 1e-11;
+
   for (int draw = 0; draw < 50; ++draw) {
     const Rigid3 truth = randomPose(random);
     const auto lines = boxEdges(truth, camera, 3, 0.5, random);
     const auto points = randomPoints(truth, camera, 5, 0.5, random);
     const RefinedPose found =
         refinePose(perturbed(truth, randomStep(random, 0.005, 0.03)), camera, lines, points, options);
+
     Vector6d gradient = Vector6d::Zero();
     Matrix6d information = Matrix6d::Zero();
     for (const LineMatch& m : lines) {
@@ -114,6 +116,7 @@ TEST(Refine, StopsAtTheMinimum) {
       gradient += j.transpose() * r / (m.sigma * m.sigma);
       information += j.transpose() * j / (m.sigma * m.sigma);
     }
+
     EXPECT_LT(information.ldlt().solve(gradient).norm(), 1e-8);
     EXPECT_TRUE(found.converged);
   }
@@ -214,6 +217,7 @@ TEST(Refine, FreeAxisIsHeldAndMarked) {
   axis.present = true;
   axis.point = Vector3d(0.02, 0.01, 0);
   axis.direction = Vector3d(0, 0.3, 2);
+
   for (int draw = 0; draw < 50; ++draw) {
     const Rigid3 truth = randomPose(random);
     const Vector3d d = axis.direction.normalized(), u = d.unitOrthogonal(), v = d.cross(u);
@@ -232,12 +236,14 @@ TEST(Refine, FreeAxisIsHeldAndMarked) {
       m.sigma = 0.3;
       lines.push_back(m);
     }
+
     const Rigid3 start = perturbed(truth, randomStep(random, 0.003, 0.02));
     RefineOptions options;
     options.max_iterations = 30;
     const RefinedPose found = refinePose(start, camera, lines, {}, options, axis);
     EXPECT_TRUE(found.converged);
     EXPECT_TRUE(found.well_posed);
+
     // The axis is found as a line in the camera frame.
     const Vector3d there = found.camera_from_object * axis.point, truly = truth * axis.point;
     EXPECT_LT((there - truly).norm(), 0.004);
@@ -245,6 +251,7 @@ TEST(Refine, FreeAxisIsHeldAndMarked) {
     // Held: no more turn about the axis than second order in the other motion.
     const Vector3d turned = logSO3(start.rotation.transpose() * found.camera_from_object.rotation);
     EXPECT_LT(std::abs(turned.dot(d)), 2e-3);
+
     // The motion that turns the object about its axis has the variance of an unknown angle.
     const Vector3d spin = found.camera_from_object.rotation * d;
     Vector6d motion;
@@ -286,6 +293,7 @@ TEST(Refine, BadNumbersNeverComeOut) {
   const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
   const auto lines = boxEdges(truth, camera, 3, 0.3, random);
   const auto points = randomPoints(truth, camera, 5, 0.3, random);
+
   const auto expectRefused = [&](const Rigid3& start, const Camera& c, const std::vector<LineMatch>& l,
                                  const std::vector<PointMatch>& p, const FreeAxis& axis = {}) {
     const RefinedPose found = refinePose(start, c, l, p, {}, axis);
@@ -295,6 +303,7 @@ TEST(Refine, BadNumbersNeverComeOut) {
     EXPECT_TRUE(found.covariance.allFinite());
     EXPECT_TRUE(std::isfinite(found.rms) && std::isfinite(found.inliers));
   };
+
   for (const double value : bad) {
     Rigid3 start = truth;
     start.translation.x() = value;
@@ -319,6 +328,7 @@ TEST(Refine, BadNumbersNeverComeOut) {
     axis.direction.x() = value;
     expectRefused(truth, camera, lines, points, axis);
   }
+
   auto l = lines;
   l[0].sigma = 0;
   expectRefused(truth, camera, l, points);
@@ -338,10 +348,15 @@ TEST(Refine, TurningTheImageTurnsThePose) {
     const Eigen::Rotation2Dd turn2(angle);
     const auto lines = boxEdges(truth, camera, 3, 0.3, random);
     const auto points = randomPoints(truth, camera, 6, 0.3, random);
+
     auto turned_lines = lines;
     auto turned_points = points;
-    for (LineMatch& m : turned_lines) m.uv = middle + turn2 * (m.uv - middle), m.normal = turn2 * m.normal;
+    for (LineMatch& m : turned_lines) {
+      m.uv = middle + turn2 * (m.uv - middle);
+      m.normal = turn2 * m.normal;
+    }
     for (PointMatch& m : turned_points) m.uv = middle + turn2 * (m.uv - middle);
+
     RefineOptions options;
     options.max_iterations = 50;
     const RefinedPose one = refinePose(start, camera, lines, points, options);

@@ -25,6 +25,7 @@ PlainScore plainScore(const std::vector<ViewSample>& samples, float step, const 
   const std::map<size_t, float> least_mean{{8, -1.0f}, {16, -0.6f}, {32, -0.1f}};
   float sum = 0, inside = 0, total = 0;
   PlainScore result;
+
   for (size_t i = 0; i < samples.size(); ++i) {
     const Eigen::Vector3f &p = samples[i].p, &d = samples[i].tangent;
     const float z = r(2, 0) * p.x() + r(2, 1) * p.y() + r(2, 2) * p.z() + t.z();
@@ -40,6 +41,7 @@ PlainScore plainScore(const std::vector<ViewSample>& samples, float step, const 
     const float u = fx * x + cx, v = fy * y + cy;
     const bool on_map = u >= 0 && v >= 0 && u < float(map.full().width()) && v < float(map.full().height());
     const int8_t value = on_map ? map.full().at(orientationBin(du, dv), int(u), int(v)) : kOutside;
+
     total += length;
     if (value != kOutside) {
       inside += length;
@@ -48,6 +50,7 @@ PlainScore plainScore(const std::vector<ViewSample>& samples, float step, const 
     const auto least = least_mean.find(i + 1);
     if (least != least_mean.end() && sum < least->second * kEvidenceUnit * inside) result.hopeless = true;
   }
+
   result.score.evidence = sum * step / (5.0f * kEvidenceUnit);
   result.score.in_frame = total > 0 ? inside / total : 0;
   return result;

@@ -52,6 +52,7 @@ TEST_P(Covariance, noise_scatters_the_pose_within_what_it_says) {
   RenderOptions clean;
   clean.noise_sigma = clean.shot_noise = 0;
   const cv::Mat picture = renderScene(seen, testCamera(), clean).grey;
+
   std::vector<Sample> samples;
   cv::RNG random(11);
   const int renders = 30;
@@ -62,6 +63,7 @@ TEST_P(Covariance, noise_scatters_the_pose_within_what_it_says) {
     for (const Sample& s : look(noisy, seen.cameraFromObject(0))) samples.push_back(s);
   }
   ASSERT_EQ(samples.size(), size_t(renders)) << "found exactly once in every picture";
+
   Vector6d mean = Vector6d::Zero(), scatter = Vector6d::Zero(), reported = Vector6d::Zero();
   for (const Sample& s : samples) mean += s.error / renders;
   for (const Sample& s : samples) {
@@ -75,6 +77,7 @@ TEST_P(Covariance, noise_scatters_the_pose_within_what_it_says) {
       "normalised square %.2f around the mean, %.2f around the truth; reported sigma z %.2f mm\n",
       GetParam(), ratio[0], ratio[1], ratio[2], ratio[3], ratio[4], ratio[5], whole,
       normalizedSquare(samples, Vector6d::Zero()), 1e3 * std::sqrt(reported[2]));
+
   // Sensor noise is a small part of what the covariance allows for: it covers errors common to a feature,
   // too.
   EXPECT_GT(ratio.minCoeff(), 0.02);

@@ -52,6 +52,7 @@ TEST_P(DataSet, enough_is_found_and_what_is_reported_is_right) {
   for (size_t i = 0; i < split.images.size(); i += size_t(share.every)) some.push_back(split.images[i]);
   split.images = some;
   ASSERT_GE(split.images.size(), 4u);
+
   const Recognizer recognizer = recognizerOf(models);
   std::vector<int> ids;
   for (const auto& entry : models) ids.push_back(entry.first);
@@ -68,11 +69,13 @@ TEST_P(DataSet, enough_is_found_and_what_is_reported_is_right) {
       rows.push_back({image.scene, image.id, ids.at(size_t(o.object)), o.probability, o.camera_from_object});
     }
   }
+
   const auto summaries = summarize(split, models, rows, {});
   ASSERT_EQ(summaries.size(), 1u);
   ASSERT_GT(summaries[0].wanted, 0);
   EXPECT_GE(summaries[0].foundShare(), share.found) << summaryLine(summaries[0]);
   EXPECT_GE(summaries[0].rightShare(), share.right) << summaryLine(summaries[0]);
+
   ASSERT_GE(squares.size(), 4u);
   std::nth_element(squares.begin(), squares.begin() + squares.size() / 2, squares.end());
   const double median = squares[squares.size() / 2];

@@ -73,7 +73,11 @@ EvidenceTerms goodTerms() {
   t.features_found = 1;
   t.chance = 0.2;
   t.chance_mean = 0.1;
-  t.chance_inner = 0.1, t.excess = 1.5, t.repeated = 0.2, t.view_area = 0.8, t.extent = 0.9,
+  t.chance_inner = 0.1;
+  t.excess = 1.5;
+  t.repeated = 0.2;
+  t.view_area = 0.8;
+  t.extent = 0.9;
   t.complexity = 1.8;
   t.offset = 0.15;
   t.precise_features = 12;

@@ -54,6 +54,7 @@ TEST_P(ShippedPicture, shows_each_well_seen_object_exactly_once_and_nothing_else
   const Picture picture = shippedPicture(GetParam().picture);
   const RecognitionResult result = shippedRecognizer().recognize(picture.grey, picture.camera);
   EXPECT_FALSE(result.truncated);
+
   for (const TruthObject& truth : picture.truth) {
     int reports = 0;
     for (const ObjectEstimate& o : result.objects)
@@ -66,6 +67,7 @@ TEST_P(ShippedPicture, shows_each_well_seen_object_exactly_once_and_nothing_else
     if (truth.visible_fraction < GetParam().visible) continue;
     EXPECT_EQ(reports, 1) << truth.name << ", visible " << truth.visible_fraction << ":\n" << listed(result);
   }
+
   for (const ObjectEstimate& o : result.objects) {
     EXPECT_NE(o.decision, Decision::kRejected);
     EXPECT_GE(o.probability, shippedRecognizer().options().accept_probability);
@@ -74,6 +76,7 @@ TEST_P(ShippedPicture, shows_each_well_seen_object_exactly_once_and_nothing_else
     for (const TruthObject& truth : picture.truth) real |= isPoseOf(o, truth, picture.camera);
     EXPECT_TRUE(real) << o.name << " is not there:\n" << listed(result);
   }
+
   for (const ObjectEstimate& o : result.rejected) {
     EXPECT_EQ(o.decision, Decision::kRejected);
     EXPECT_FALSE(o.reason.empty());

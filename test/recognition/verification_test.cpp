@@ -31,6 +31,7 @@ TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
   const SearchImage image = looked(picture.grey, picture.camera);
   const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf(GetParam()))));
   const Rigid3 truth = picture.truth.at(0).camera_from_object;
+
   const Candidate right = verified(image, model, truth);
   const EvidenceTerms& t = right.terms;
   EXPECT_GT(t.hit_ratio, 0.85);
@@ -48,6 +49,7 @@ TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
   EXPECT_GT(t.solidity, 0.2);
   EXPECT_LE(t.solidity, 1);
   EXPECT_EQ(right.matched_groups, int(std::lround(t.groups * (1 - t.unsupported))));
+
   for (const auto& [du, dv] : {std::pair{15.0, 0.0}, {0.0, 15.0}, {-12.0, 12.0}}) {
     const EvidenceTerms wrong = verified(image, model, shifted(truth, du, dv, picture.camera)).terms;
     EXPECT_LT(wrong.hit_ratio, 0.6 * t.hit_ratio) << du << ", " << dv;
@@ -63,11 +65,13 @@ TEST_P(OnGolden, says_which_edge_points_and_cells_it_takes) {
   const SearchImage image = looked(picture.grey, picture.camera);
   const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf(GetParam()))));
   const Candidate c = verified(image, model, picture.truth.at(0).camera_from_object);
+
   const auto strictlyAscending = [](const std::vector<int>& v) {
     return std::adjacent_find(v.begin(), v.end(), std::greater_equal<int>()) == v.end();
   };
   EXPECT_TRUE(strictlyAscending(c.claimed));
   EXPECT_TRUE(strictlyAscending(c.covered));
+
   std::set<int> answered;
   for (const SeenSample& s : c.contour) {
     if (s.edge_point < 0) continue;
@@ -75,11 +79,13 @@ TEST_P(OnGolden, says_which_edge_points_and_cells_it_takes) {
     ASSERT_LT((image.features.points.at(size_t(s.edge_point)).uv.cast<double>() - s.uv).norm(), 4);
   }
   EXPECT_EQ(c.claimed, std::vector<int>(answered.begin(), answered.end()));
+
   const cv::Rect truth = picture.truth.at(0).box_visible;
   EXPECT_NEAR(c.bounding_box.x, truth.x, 3);
   EXPECT_NEAR(c.bounding_box.y, truth.y, 3);
   EXPECT_NEAR(c.bounding_box.br().x, truth.br().x, 3);
   EXPECT_NEAR(c.bounding_box.br().y, truth.br().y, 3);
+
   const int cells_x = (image.domain.width + kCoverCell - 1) / kCoverCell;
   for (int cell : c.covered) {
     const cv::Rect area(cell % cells_x * kCoverCell, cell / cells_x * kCoverCell, kCoverCell, kCoverCell);
@@ -160,12 +166,14 @@ TEST_F(Bars, the_constellation_pairs_each_visible_corner_with_its_image) {
   const Rigid3 truth = seen.world_from_camera.inverse();
   ModelBase base;
   base.objects.push_back(object_);
+
   const std::vector<ImageCorner> corners = imageCorners(groupFeatures(image.features, base));
   const Candidate candidate = verified(image, model_, shifted(truth, 1, -1, testCamera()));
   const std::vector<PointMatch> matches =
       growConstellation(model_, candidate, testCamera(), image.features, corners);
   EXPECT_GE(matches.size(), 5u) << "of the seven visible corners";
   EXPECT_LE(matches.size(), 7u);
+
   std::set<std::pair<double, double>> image_corners;
   std::set<std::array<double, 3>> model_corners;
   for (const PointMatch& m : matches) {
@@ -182,6 +190,7 @@ TEST_F(Bars, the_constellation_pairs_each_visible_corner_with_its_image) {
   }
   EXPECT_EQ(image_corners.size(), matches.size()) << "an image corner serves twice";
   EXPECT_EQ(model_corners.size(), matches.size()) << "a model corner is matched twice";
+
   const RefinedPose pose = poseFromBestFour(matches, candidate.pose.camera_from_object, testCamera());
   ASSERT_TRUE(pose.well_posed);
   EXPECT_LT(poseError(object_.model, testCamera(), pose.camera_from_object, truth).image, 2);

@@ -25,11 +25,15 @@ TEST(CellCamera, ShowsTheSceneAsRenderSceneDoes) {
   options.camera.shot_noise = 0;
   options.camera.exposure = 1.1;
   options.lights.resize(1);
-  options.lights[0].x = 2, options.lights[0].y = -2,
-  options.lights[0].radius = 0.02;  // the arm's shadow falls aside
+  // The arm's shadow falls aside.
+  options.lights[0].x = 2;
+  options.lights[0].y = -2;
+  options.lights[0].radius = 0.02;
   options.lights[0].intensity = 6;
+
   WorkCell cell = makeCell(options);
   const CellImage image = CellCamera(cell, 1).capture(cell);
+
   Scene scene = cell.scene().scene;
   scene.world_from_camera = cell.scene().base_from_table.inverse() * image.base_from_camera;
   RenderOptions render;
@@ -38,6 +42,7 @@ TEST(CellCamera, ShowsTheSceneAsRenderSceneDoes) {
   render.blur_sigma = options.camera.blur_sigma;
   render.exposure = 1.1;
   const RenderedImage reference = renderScene(scene, cell.scene().camera, render);
+
   int others = 0, deeper = 0;
   for (int y = 0; y < image.ids.rows; ++y)
     for (int x = 0; x < image.ids.cols; ++x) {
@@ -48,6 +53,7 @@ TEST(CellCamera, ShowsTheSceneAsRenderSceneDoes) {
       }
       deeper += std::abs(image.depth.at<float>(y, x) - reference.depth.at<float>(y, x)) > 2e-4f;
     }
+
   const int pixels = int(image.ids.total());
   EXPECT_LT(others, pixels / 1000);
   EXPECT_LT(deeper, pixels / 2000);

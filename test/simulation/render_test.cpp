@@ -89,8 +89,10 @@ std::vector<double> sheetOffsets(const Scene& scene, const Camera& camera, const
 void expectExact(const std::vector<double>& offsets) {
   ASSERT_GT(offsets.size(), 200u);
   double mean = 0, worst = 0;
-  for (double offset : offsets)
-    mean += offset / double(offsets.size()), worst = std::max(worst, std::abs(offset));
+  for (double offset : offsets) {
+    mean += offset / double(offsets.size());
+    worst = std::max(worst, std::abs(offset));
+  }
   EXPECT_LT(std::abs(mean), 0.01);
   EXPECT_LT(worst, 0.1);
 }
@@ -203,6 +205,7 @@ TEST(Render, ShadowsFallOppositeTheLight) {
   scene.world_from_camera = lookAt({0, -0.02, 0.6}, {0, 0, 0});
   RenderOptions options = noiseless();
   const RenderedImage with = renderScene(scene, pinhole(), options);
+
   const auto grey = [&](const RenderedImage& image, double x, double y) {
     const Eigen::Vector2d uv =
         pinhole().project(scene.world_from_camera.inverse() * Eigen::Vector3d(x, y, 0));
@@ -212,6 +215,7 @@ TEST(Render, ShadowsFallOppositeTheLight) {
   options.shadows = false;
   options.exposure = with.exposure;
   EXPECT_GT(grey(renderScene(scene, pinhole(), options), 0.045, 0), 1.5 * grey(with, 0.045, 0));
+
   // A larger light makes a softer shadow: its rim takes more pixels between light and dark.
   options.shadows = true;
   const auto rim = [&](double radius) {

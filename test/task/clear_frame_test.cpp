@@ -26,6 +26,7 @@ TEST(ClearFrame, CarriesEverythingOut) {
   world.put(kGrenade, 1, at(0.9, 0.0));  // beside the frame
   std::vector<TaskFeedback> told;
   ClearFrameTask task(&kModels, &world, {}, {}, [&](const TaskFeedback& f) { told.push_back(f); });
+
   const TaskResult result = task.run();
   EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
   EXPECT_THAT(result.reason, HasSubstr("3 carried out"));
@@ -35,12 +36,14 @@ TEST(ClearFrame, CarriesEverythingOut) {
     EXPECT_EQ(o.picks, 1);
     EXPECT_EQ(o.near_looks, 1);
   }
+
   EXPECT_EQ(result.rounds, 4);
   EXPECT_EQ(world.motions, 6);
   EXPECT_THAT(std::vector<std::string>(world.log.begin(), world.log.begin() + 7),
               ElementsAre("overview 0", "overview 1", "overview 2", "near bridge0", "pick bridge0 by grasp 0",
                           "carry bridge0 to 0", "overview 0"));
   EXPECT_THAT(world.log, Not(Contains(HasSubstr("grenade1"))));
+
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.back().stage, TaskStage::kDone);
   EXPECT_EQ(told.back().carried, 3);

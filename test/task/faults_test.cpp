@@ -130,7 +130,10 @@ TEST(Faults, WhatIsDroppedInTheFrameIsPickedUpAgain) {
   ClearFrameTask task(&kModels, &away, {}, {},
                       [&](const TaskFeedback& f) { dropped |= f.stage == TaskStage::kCarry; });
   away.before_look = [&](const TaskView&) {
-    if (dropped) away.thing(kBridge, 0).there = false, away.thing(kBridge, 0).misses_left = 0;
+    if (dropped) {
+      away.thing(kBridge, 0).there = false;
+      away.thing(kBridge, 0).misses_left = 0;
+    }
   };
   result = task.run();
   EXPECT_EQ(result.outcome, TaskOutcome::kLeftovers);
@@ -149,6 +152,7 @@ TEST(Faults, CancelStopsBeforeEveryStage) {
     while (task.step()) ++stages;
   }
   ASSERT_GT(stages, 6);
+
   bool held = false;
   for (int late = 0; late < stages; ++late) {
     World world;
@@ -160,6 +164,7 @@ TEST(Faults, CancelStopsBeforeEveryStage) {
     const int motions = world.motions;
     const size_t calls = world.log.size();
     const TaskResult result = task.run();
+
     EXPECT_EQ(result.outcome, TaskOutcome::kCancelled) << late;
     EXPECT_EQ(world.motions, motions);
     EXPECT_EQ(world.log.size(), calls);

@@ -97,8 +97,10 @@ class World : public TaskWorld {
                                  return o.there && o.object.object != kFrame;
                                }) > 1)
       plan.reason = "meets an obstacle";
-    if (t.uncertain > 0)
-      plan.too_uncertain = true, plan.reason = "3 sigma need 9 mm, the gripper leaves 5 mm";
+    if (t.uncertain > 0) {
+      plan.too_uncertain = true;
+      plan.reason = "3 sigma need 9 mm, the gripper leaves 5 mm";
+    }
     if (!plan.reason.empty()) return grasps;
     for (int k = 0; k < 3; ++k) {
       GraspCandidate c;

@@ -17,7 +17,13 @@ struct CellBox {
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("name", name), v("x", x), v("y", y), v("z", z), v("roll", roll), v("pitch", pitch), v("yaw", yaw);
+    v("name", name);
+    v("x", x);
+    v("y", y);
+    v("z", z);
+    v("roll", roll);
+    v("pitch", pitch);
+    v("yaw", yaw);
     v("size", size);
   }
 };
