@@ -56,6 +56,10 @@ void SceneMemory::learnBox(const std::string& name, const Eigen::Vector3d& size)
   meshes_.insert_or_assign(name, shapeOf(std::move(box)));
 }
 
+void SceneMemory::requireKnown(const std::string& name) const {
+  if (!knows(name)) throw BadInput("no object is named '" + name + "'; known: " + names());
+}
+
 std::string SceneMemory::names() const {
   std::string names;
   for (const auto& entry : meshes_) names += (names.empty() ? "" : ", ") + entry.first;

@@ -9,14 +9,13 @@ namespace monocular_eye_hand {
 class Moment {
  public:
   Moment() = default;  ///< never
+  Moment(const ros::WallTime& wall, const ros::Time& clock) : wall_(wall), clock_(clock) {}
   static Moment now() { return Moment(ros::WallTime::now(), ros::Time::now()); }
 
   bool never() const { return wall_.isZero(); }
   double since() const;  ///< [s]
 
  private:
-  Moment(const ros::WallTime& wall, const ros::Time& clock) : wall_(wall), clock_(clock) {}
-
   ros::WallTime wall_;
   ros::Time clock_;
 };

@@ -20,6 +20,15 @@ double widthOf(double value, const char* field, double most) {
                  std::to_string(most) + " m, what the gripper can open");
 }
 
+std::vector<JointVector> jointsOf(const MoveGoal& goal) {
+  if (goal.joints.empty()) return {};
+  if (goal.joints.size() != 6)
+    throw BadInput("joints holds " + std::to_string(goal.joints.size()) + " angles: give six, or none");
+  const JointVector joints = Eigen::Map<const JointVector>(goal.joints.data());
+  if (!joints.allFinite()) throw BadInput("joints is not finite");
+  return {joints};
+}
+
 }  // namespace
 
 trajectory_msgs::JointTrajectory toMessage(const Trajectory& trajectory) {
@@ -64,6 +73,29 @@ std::vector<Rigid3> tcpPosesOf(const MoveGoal& goal, const ArmDescription& arm) 
   for (size_t i = 0; i < goal.poses.size(); ++i)
     poses.push_back(poseOf(goal.poses[i], "poses[" + std::to_string(i) + "]") * link_from_tcp);
   return poses;
+}
+
+PickOrder pickOrderOf(const PickGoal& goal, const std::string& base_frame, const SceneMemory& scene,
+                      double gripper_width_max) {
+  const std::string& frame = goal.target.header.frame_id;
+  if (withoutSlash(frame) != base_frame)
+    throw BadInput("target.header.frame_id is '" + frame + "' and must be '" + base_frame +
+                   "', the arm's base");
+  scene.requireKnown(goal.target.name);
+
+  PickOrder order;
+  order.object = {goal.target.name, goal.target.instance, poseOf(goal.target.object.pose, "target.object")};
+  order.target = pickTargetOf(goal.target, order.object.label(), gripper_width_max);
+  order.place = goal.place;
+  return order;
+}
+
+MoveOrder moveOrderOf(const MoveGoal& goal, const ArmDescription& arm) {
+  MoveOrder order;
+  order.open_gripper = goal.open_gripper;
+  order.joints = jointsOf(goal);
+  if (order.joints.empty()) order.base_from_tcp = tcpPosesOf(goal, arm);
+  return order;
 }
 
 visualization_msgs::Marker pathMarker(const std::string& frame, const ToolArm& arm,

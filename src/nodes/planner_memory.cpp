@@ -66,7 +66,7 @@ std::optional<PickMemory> fromParameter(Value value) {
     memory.target.opening = double(value["open_width"]);
     memory.target.part_width = double(value["grip_width"]);
     memory.stamp = double(value["stamp"]);
-  } catch (const XmlRpc::XmlRpcException&) {  // not what keepMemory() wrote
+  } catch (const XmlRpc::XmlRpcException&) {  // not what keep() wrote
     return std::nullopt;
   }
 
@@ -77,7 +77,7 @@ std::optional<PickMemory> fromParameter(Value value) {
 }
 
 // Not by ros::param::set(): while the master is away that waits for it, with the fingers about to close.
-void keepMemory(const std::optional<PickMemory>& memory) {
+void ParameterMemory::keep(const std::optional<PickMemory>& memory) {
   Value arguments, result, payload;
   arguments[0] = ros::this_node::getName();
   arguments[1] = parameterName();
@@ -88,7 +88,7 @@ void keepMemory(const std::optional<PickMemory>& memory) {
     ROS_WARN("the master does not keep what is picked: a planner that starts again would not know it");
 }
 
-std::optional<PickMemory> keptMemory() {
+std::optional<PickMemory> ParameterMemory::kept() {
   Value value;
   if (!ros::param::get(parameterName(), value)) return std::nullopt;
   return fromParameter(value);

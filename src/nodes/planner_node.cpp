@@ -10,6 +10,7 @@
 #include "nodes/conversion.h"
 #include "nodes/markers.h"
 #include "nodes/names.h"
+#include "nodes/planner_conversion.h"
 #include "nodes/planner_markers.h"
 
 namespace monocular_eye_hand {
@@ -29,6 +30,13 @@ Result toMessage(const ActionResult& work) {
   return result;
 }
 
+ExecutorTexts texts() {
+  ExecutorTexts texts;
+  texts.recover_hint = "a goal to " + ros::names::resolve(std::string("~") + names::kRecover) + " leads out";
+  texts.objects_source = names::kLocatedObjects;
+  return texts;
+}
+
 ActionResult fault(const std::string& reason) {
   ActionResult result;
   result.reason = reason;
@@ -40,34 +48,37 @@ ActionResult fault(const std::string& reason) {
 PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& node_watch)
     : parameters_(parameters),
       node_watch_(node_watch),
-      work_(parameters),
+      executor_(parameters, &robot_, &memory_, texts()),
       private_node_("~"),
       pick_(
           private_node_, names::kPick,
           [this](const PickGoalConstPtr& goal) {
             run<PickAction, PickResult, PickFeedback>(
-                &pick_, names::kPick, [&](const WorkWatch& watch) { return work_.pick(*goal, watch); });
+                &pick_, names::kPick, [&](const ActionMonitor& monitor) { return pick(*goal, monitor); });
           },
           false),
       place_(
           private_node_, names::kPlace,
           [this](const PlaceGoalConstPtr& goal) {
             run<PlaceAction, PlaceResult, PlaceFeedback>(
-                &place_, names::kPlace, [&](const WorkWatch& watch) { return work_.place(*goal, watch); });
+                &place_, names::kPlace, [&](const ActionMonitor& monitor) {
+                  return executor_.place(PlaceOrder{goal->place}, monitor);
+                });
           },
           false),
       move_(
           private_node_, names::kMove,
           [this](const MoveGoalConstPtr& goal) {
             run<MoveAction, MoveResult, MoveFeedback>(
-                &move_, names::kMove, [&](const WorkWatch& watch) { return work_.move(*goal, watch); });
+                &move_, names::kMove, [&](const ActionMonitor& monitor) { return move(*goal, monitor); });
           },
           false),
       recover_(
           private_node_, names::kRecover,
           [this](const RecoverGoalConstPtr&) {
             run<RecoverAction, RecoverResult, RecoverFeedback>(
-                &recover_, names::kRecover, [&](const WorkWatch& watch) { return work_.recover(watch); });
+                &recover_, names::kRecover,
+                [&](const ActionMonitor& monitor) { return executor_.recover(monitor); });
           },
           false) {
   path_ = private_node_.advertise<visualization_msgs::Marker>(names::kPath, 1, true);
@@ -120,12 +131,12 @@ void PlannerNode::takeObjects() {
   std::vector<PlacedObject> objects;
   for (const LocatedObject& object : array->objects)
     objects.push_back({object.name, object.instance, fromPose(object.pose.pose)});
-  for (const std::string& label : work_.see(objects))
+  for (const std::string& label : executor_.see(objects))
     ROS_WARN("%s is not in the model base, or its pose is broken: it is no obstacle", label.c_str());
 }
 
 void PlannerNode::show(const std::vector<Trajectory>& motions) {
-  path_.publish(pathMarker(parameters_.base_frame, work_.arm(), motions));
+  path_.publish(pathMarker(parameters_.base_frame, executor_.arm(), motions));
 }
 
 std::string PlannerNode::running() {
@@ -137,19 +148,53 @@ void PlannerNode::setRunning(const std::string& action) {
   running_ = action;
 }
 
-ActionResult PlannerNode::guarded(const WorkWatch& watch,
-                                  const std::function<ActionResult(const WorkWatch&)>& work) {
+ActionResult PlannerNode::guarded(const ActionMonitor& monitor,
+                                  const std::function<ActionResult(const ActionMonitor&)>& work) {
   try {
     takeObjects();
-    return work(watch);
+    return work(monitor);
   } catch (const std::exception& e) {  // BadInput: silent topics, broken numbers; nothing moves then
     return fault(e.what());
   }
 }
 
+ActionMonitor PlannerNode::monitorOf(const std::function<bool()>& preempted,
+                                     const std::function<void(const std::string&, double)>& report) {
+  ActionMonitor monitor;
+  monitor.cancelled = [this, preempted] { return stopping_ || preempted(); };
+  monitor.reportProgress = report;
+  monitor.show = [this](const std::vector<Trajectory>& motions) { show(motions); };
+  monitor.log = [](const std::string& text) { ROS_INFO("%s", text.c_str()); };
+  return monitor;
+}
+
+ActionResult PlannerNode::pick(const PickGoal& goal, const ActionMonitor& monitor) {
+  if (!goal.target.feasible)
+    return executor_.refuse(ActionOutcome::kUnreachable,
+                            "the target says that it is not feasible: " + goal.target.reason);
+  PickOrder order;
+  try {
+    order = pickOrderOf(goal, parameters_.base_frame, executor_.scene(),
+                        executor_.description().gripper_width_max);
+  } catch (const BadInput& e) {
+    return executor_.refuseBadGoal(e.what());
+  }
+  return executor_.pick(order, monitor);
+}
+
+ActionResult PlannerNode::move(const MoveGoal& goal, const ActionMonitor& monitor) {
+  MoveOrder order;
+  try {
+    order = moveOrderOf(goal, executor_.description());
+  } catch (const BadInput& e) {
+    return executor_.refuseBadGoal(e.what());
+  }
+  return executor_.move(order, monitor);
+}
+
 template <class Action, class Result, class Feedback>
 void PlannerNode::run(Server<Action>* server, const char* action,
-                      const std::function<ActionResult(const WorkWatch&)>& work) {
+                      const std::function<ActionResult(const ActionMonitor&)>& work) {
   ActionResult ended;
   {
     const std::unique_lock<std::mutex> lock(busy_, std::try_to_lock);
@@ -159,16 +204,14 @@ void PlannerNode::run(Server<Action>* server, const char* action,
       ended = fault("busy with " + running() + ": one action at a time; nothing moved");
     } else {
       setRunning(action);
-      WorkWatch watch;
-      watch.cancelled = [this, server] { return stopping_ || server->isPreemptRequested(); };
-      watch.say = [server](const std::string& stage, double progress) {
+      const auto preempted = [server] { return server->isPreemptRequested(); };
+      const auto report = [server](const std::string& stage, double progress) {
         Feedback feedback;
         feedback.stage = stage;
         feedback.progress = progress;
         server->publishFeedback(feedback);
       };
-      watch.show = [this](const std::vector<Trajectory>& motions) { show(motions); };
-      ended = guarded(watch, work);
+      ended = guarded(monitorOf(preempted, report), work);
       remember(action, ended);
     }
   }  // free for the next goal before this one's result is known
@@ -188,9 +231,9 @@ void PlannerNode::run(Server<Action>* server, const char* action,
 void PlannerNode::remember(const char* action, const ActionResult& result) {
   const std::lock_guard<std::mutex> lock(mutex_);
   running_.clear();
-  held_ = work_.held();
-  known_ = work_.scene().seen().size();
-  remembered_ = work_.scene().remembered();
+  held_ = executor_.held();
+  known_ = executor_.scene().seen().size();
+  remembered_ = executor_.scene().remembered();
   last_ = std::string(action) + ": " + (result.done() ? "done" : result.reason);
   ++(result.done() ? done_ : not_done_);
   planning_time_ = result.planning_time;
@@ -199,7 +242,9 @@ void PlannerNode::remember(const char* action, const ActionResult& result) {
 
 void PlannerNode::robotStatus(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  const std::string joints = work_.driver().jointSilence(), gripper = work_.driver().gripperSilence();
+  const RobotState state = robot_.state();
+  const std::string joints = jointSilence(robot_, state, parameters_.execution);
+  const std::string gripper = gripperSilence(robot_, state, parameters_.execution);
   const std::string clock = node_watch_.clockProblem();
   if (!clock.empty())
     status.summary(DiagnosticStatus::WARN, clock + " Waits are paused");

@@ -2,6 +2,9 @@
 #include <actionlib/server/simple_action_server.h>
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <monocular_eye_hand/LocatedObjectArray.h>
+#include <monocular_eye_hand/MoveAction.h>
+#include <monocular_eye_hand/PickAction.h>
+#include <monocular_eye_hand/PlaceAction.h>
 #include <monocular_eye_hand/RecoverAction.h>
 #include <ros/ros.h>
 
@@ -11,18 +14,20 @@
 #include <mutex>
 #include <string>
 
+#include "monocular_eye_hand/execution/executor.h"
 #include "nodes/node_watch.h"
+#include "nodes/planner_memory.h"
 #include "nodes/planner_parameters.h"
-#include "nodes/planner_work.h"
+#include "nodes/ros_robot.h"
 
 namespace monocular_eye_hand {
 
-/// The node planner: the actions ~pick, ~place and ~move, one at a time. A new goal of the running action
-/// stops it and is next; a goal of another one is refused. Callbacks must run beside the actions: spin with
-/// more than one thread.
+/// The node planner: the actions ~pick, ~place, ~move and ~recover, one at a time. A new goal of the running
+/// action stops it and is next; a goal of another one is refused. Callbacks must run beside the actions: spin
+/// with more than one thread.
 class PlannerNode {
  public:
-  /// Throws BadInput as PlannerWork does. `node_watch` must outlive it.
+  /// Throws BadInput as PickPlaceExecutor does. `node_watch` must outlive it.
   PlannerNode(const PlannerParameters& parameters, const NodeWatch& node_watch);
   ~PlannerNode();
   /// Stops the arm if it moves, waits until it stands, and takes no goal any more.
@@ -34,8 +39,13 @@ class PlannerNode {
 
   template <class Action, class Result, class Feedback>
   void run(Server<Action>* server, const char* action,
-           const std::function<ActionResult(const WorkWatch&)>& work);
-  ActionResult guarded(const WorkWatch& watch, const std::function<ActionResult(const WorkWatch&)>& work);
+           const std::function<ActionResult(const ActionMonitor&)>& work);
+  ActionResult guarded(const ActionMonitor& monitor,
+                       const std::function<ActionResult(const ActionMonitor&)>& work);
+  ActionMonitor monitorOf(const std::function<bool()>& preempted,
+                          const std::function<void(const std::string&, double)>& report);
+  ActionResult pick(const PickGoal& goal, const ActionMonitor& monitor);
+  ActionResult move(const MoveGoal& goal, const ActionMonitor& monitor);
   void onObjects(const LocatedObjectArrayConstPtr& message);
   void takeObjects();
   void show(const std::vector<Trajectory>& motions);
@@ -47,7 +57,9 @@ class PlannerNode {
 
   const PlannerParameters parameters_;
   const NodeWatch& node_watch_;
-  PlannerWork work_;
+  RosRobot robot_;
+  ParameterMemory memory_;
+  PickPlaceExecutor executor_;
   std::atomic<bool> stopping_{false};
   std::mutex busy_;  // held by the action that runs
 

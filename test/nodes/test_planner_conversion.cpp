@@ -139,6 +139,61 @@ TEST(PlannerConversion, LinksOfAMove) {
   EXPECT_NE(refusal([&] { tcpPosesOf(goal, arm()); }).find("where to"), std::string::npos);
 }
 
+TEST(PlannerConversion, PickOrder) {
+  const std::string source = MONOCULAR_EYE_HAND_SOURCE_DIR;
+  ExecutorOptions options;
+  options.objects = source + "/config/objects.yaml";
+  const SceneMemory scene(arm(), options);
+  PickGoal goal;
+  goal.place = 3;
+  goal.target.header.frame_id = "/base_link";
+  goal.target.name = "bridge";
+  goal.target.instance = 4;
+  goal.target.object.pose = poseAt(0.5);
+  goal.target.pregrasp = poseAt(1);
+  goal.target.grasp = poseAt(2);
+  goal.target.retreat = poseAt(3);
+  goal.target.width = 0.04;
+  goal.target.opening = 0.06;
+  const auto order = [&] { return pickOrderOf(goal, "base_link", scene, 0.09); };
+  EXPECT_EQ(order().object.label(), "bridge 4");
+  EXPECT_EQ(order().object.base_from_object.translation.x(), 0.5);
+  EXPECT_EQ(order().target.object, "bridge 4");
+  EXPECT_EQ(order().target.base_from_grasp.translation.x(), 2);
+  EXPECT_EQ(order().place, 3);
+
+  goal.target.object.pose.position.x = NAN;
+  EXPECT_NE(refusal(order).find("target.object"), std::string::npos);
+  goal.target.name = "teapot";
+  EXPECT_NE(refusal(order).find("no object is named 'teapot'; known: "), std::string::npos);
+  goal.target.header.frame_id = "map";
+  EXPECT_EQ(refusal(order), "target.header.frame_id is 'map' and must be 'base_link', the arm's base");
+}
+
+TEST(PlannerConversion, MoveOrder) {
+  MoveGoal goal;
+  goal.link = "gripper_tcp";
+  goal.open_gripper = true;
+  goal.poses = {poseAt(0.5), poseAt(0.6)};
+  MoveOrder order = moveOrderOf(goal, arm());
+  EXPECT_TRUE(order.open_gripper);
+  EXPECT_TRUE(order.joints.empty());
+  ASSERT_EQ(order.base_from_tcp.size(), 2u);
+  EXPECT_EQ(order.base_from_tcp[1].translation.x(), 0.6);
+
+  goal.joints = {1, 2, 3, 4, 5, 6};
+  order = moveOrderOf(goal, arm());
+  EXPECT_TRUE(order.base_from_tcp.empty()) << "joints count instead of poses";
+  ASSERT_EQ(order.joints.size(), 1u);
+  EXPECT_EQ(order.joints[0][5], 6);
+
+  const auto convert = [&] { moveOrderOf(goal, arm()); };
+  goal.joints[2] = NAN;
+  EXPECT_EQ(refusal(convert), "joints is not finite");
+  goal.joints.resize(5);
+  EXPECT_EQ(refusal(convert), "joints holds 5 angles: give six, or none");
+}
+
 TEST(PlannerConversion, PathMarker) {
   const ToolArm tool{Puma560(), arm().tool0_from_tcp};
   Trajectory trajectory;

@@ -19,8 +19,13 @@ struct WorkTable {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("z", z), v("yaw", yaw);
-    v("length", length), v("width", width), v("thickness", thickness);
+    v("x", x);
+    v("y", y);
+    v("z", z);
+    v("yaw", yaw);
+    v("length", length);
+    v("width", width);
+    v("thickness", thickness);
   }
 };
 
@@ -32,7 +37,9 @@ struct DropPlace {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("yaw", yaw);
+    v("x", x);
+    v("y", y);
+    v("yaw", yaw);
   }
 };
 
@@ -48,8 +55,15 @@ struct DropZone {
   std::vector<DropPlace> places() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("x", x), v("y", y), v("yaw", yaw), v("length", length), v("width", width);
-    v("columns", columns), v("rows", rows), v("part_yaw", part_yaw), v("list", list);
+    v("x", x);
+    v("y", y);
+    v("yaw", yaw);
+    v("length", length);
+    v("width", width);
+    v("columns", columns);
+    v("rows", rows);
+    v("part_yaw", part_yaw);
+    v("list", list);
   }
 };
 
@@ -64,8 +78,11 @@ struct FollowOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("deviation", deviation), v("lag", lag), v("goal_tolerance", goal_tolerance);
-    v("stand_speed", stand_speed), v("settle", settle);
+    v("deviation", deviation);
+    v("lag", lag);
+    v("goal_tolerance", goal_tolerance);
+    v("stand_speed", stand_speed);
+    v("settle", settle);
   }
 };
 
@@ -84,10 +101,15 @@ struct ExecutionOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("start_tolerance", start_tolerance), v("joint_silence", joint_silence);
-    v("gripper_silence", gripper_silence), v("gripper_timeout", gripper_timeout);
-    v("stop_timeout", stop_timeout), v("squeeze", squeeze), v("width_tolerance", width_tolerance);
-    v("open_tolerance", open_tolerance), v("follow", follow);
+    v("start_tolerance", start_tolerance);
+    v("joint_silence", joint_silence);
+    v("gripper_silence", gripper_silence);
+    v("gripper_timeout", gripper_timeout);
+    v("stop_timeout", stop_timeout);
+    v("squeeze", squeeze);
+    v("width_tolerance", width_tolerance);
+    v("open_tolerance", open_tolerance);
+    v("follow", follow);
   }
 };
 

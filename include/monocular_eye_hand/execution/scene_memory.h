@@ -6,20 +6,12 @@
 
 #include "monocular_eye_hand/arm/arm_description.h"
 #include "monocular_eye_hand/execution/options.h"
+#include "monocular_eye_hand/execution/placed_object.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
 #include "monocular_eye_hand/model/object_model.h"
 #include "monocular_eye_hand/planning/collision_world.h"
 
 namespace monocular_eye_hand {
-
-/// A known object and where it stands.
-struct PlacedObject {
-  std::string name;  ///< in the model base
-  int instance = 0;
-  Rigid3 base_from_object;
-
-  std::string label() const { return name + " " + std::to_string(instance); }  ///< its name in the world
-};
 
 /// What stands around the arm: table, boxes, the objects that eye-hand knows, and what was put
 /// down by this arm and nobody sees. All poses are in base_link.
@@ -30,6 +22,8 @@ class SceneMemory {
   SceneMemory(const ArmDescription& arm, const ExecutorOptions& options);
 
   bool knows(const std::string& name) const { return meshes_.count(name) > 0; }
+  /// Throws BadInput naming what is known when the name is not in the model base.
+  void requireKnown(const std::string& name) const;
   std::string names() const;  ///< "bridge, grenade, ..." for messages
   /// A box around its own origin, for something that is not in the model base.
   void learnBox(const std::string& name, const Eigen::Vector3d& size);
