@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/execution/drop_zone.h"
+#include "execution/drop_zone.h"
 
 #include <algorithm>
 #include <cmath>

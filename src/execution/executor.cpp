@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {

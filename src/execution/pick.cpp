@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "execution/stopwatch.h"
-#include "monocular_eye_hand/execution/drop_zone.h"
+#include "execution/drop_zone.h"
 #include "monocular_eye_hand/execution/executor.h"
 #include "monocular_eye_hand/geometry/error.h"
 

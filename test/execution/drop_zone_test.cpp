@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "monocular_eye_hand/execution/drop_zone.h"
+#include "execution/drop_zone.h"
 
 namespace monocular_eye_hand {
 namespace {
