@@ -166,11 +166,6 @@ TEST(PlanGrasps, UnreachableIsAReason) {
   EXPECT_THAT(far.reason, HasSubstr("unreachable (the grasp is out of the arm's reach or limits)"));
   EXPECT_FALSE(far.too_uncertain);
 
-  GraspPlanOptions high;
-  high.lift_distance = 1.5;
-  EXPECT_THAT(plan(shipped("bridge"), onTable(0.45, 0, 0), sigma(5e-4, 2e-3), {}, high).reason,
-              HasSubstr("the end of the lift is out of the arm's reach or limits"));
-
   GraspPlanOptions no_wrist;
   no_wrist.min_wrist = 0.9999;
   EXPECT_THAT(plan(shipped("bridge"), onTable(0.45, 0, 0), sigma(5e-4, 2e-3), {}, no_wrist).reason,
