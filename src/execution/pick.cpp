@@ -2,8 +2,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "execution/stopwatch.h"
 #include "execution/drop_zone.h"
+#include "execution/stopwatch.h"
 #include "monocular_eye_hand/execution/executor.h"
 #include "monocular_eye_hand/geometry/error.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "execution/stopwatch.h"
 #include "execution/drop_zone.h"
+#include "execution/stopwatch.h"
 #include "monocular_eye_hand/execution/executor.h"
 
 namespace monocular_eye_hand {
