@@ -13,12 +13,10 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kSquare = 0.999;  // cosine between the plane's normal and the wall's axis
 constexpr double kOnCircle =
-    1e-3;                        // vertices of a border lie on its circle within this share of the diameter
-constexpr double kRound = 0.1;   // a band is as wide as it is high but for this share
-constexpr double kWidest = 0.5;  // of a band over the wall's radius
-constexpr double kLargestSegment = 0.54;  // a little over 2 pi / 12 [rad]
-constexpr double kCovered = 0.9;          // of an arc by mesh edges
-constexpr double kSmallestSweep = 0.1;    // [rad]
+    1e-3;                         // vertices of a border lie on its circle within this share of the diameter
+constexpr double kRound = 0.1;    // a band is as wide as it is high but for this share
+constexpr double kWidest = 0.5;   // of a band over the wall's radius
+constexpr double kCovered = 0.9;  // of an arc by mesh edges
 
 using Border = std::vector<const MeshEdge*>;
 using BorderOfSurface = std::map<int, Border>;
@@ -27,12 +25,9 @@ using BorderOfSurface = std::map<int, Border>;
 std::map<int, BorderOfSurface> bordersOfBands(const Topology& topology, const SurfaceSplit& split) {
   std::map<int, BorderOfSurface> borders;
   const auto isBand = [&](int s) { return split.surfaces[size_t(s)].kind == Surface::Kind::kFreeform; };
-  for (size_t k = 0; k < topology.edges.size(); ++k) {
-    const MeshEdge& e = topology.edges[k];
-    if (split.sharp[k] || e.t1 < 0) continue;
-    const int a = split.surface_of_triangle[size_t(e.t0)], b = split.surface_of_triangle[size_t(e.t1)];
-    if (isBand(a) && !isBand(b)) borders[a][b].push_back(&e);
-    if (isBand(b) && !isBand(a)) borders[b][a].push_back(&e);
+  for (const SmoothBorder& border : smoothBorders(topology, split)) {
+    if (isBand(border.a) && !isBand(border.b)) borders[border.a][border.b].push_back(border.edge);
+    if (isBand(border.b) && !isBand(border.a)) borders[border.b][border.a].push_back(border.edge);
   }
   return borders;
 }

@@ -28,14 +28,11 @@ std::map<int, std::map<int, double>> planesBesideWalls(const Mesh& mesh, const T
       joined[wall_index][plane_index] += edge.norm();
   };
 
-  for (size_t k = 0; k < topology.edges.size(); ++k) {
-    const MeshEdge& e = topology.edges[k];
-    if (split.sharp[k] || e.t1 < 0) continue;
-    const int a = split.surface_of_triangle[size_t(e.t0)], b = split.surface_of_triangle[size_t(e.t1)];
-    if (a == b) continue;
+  for (const SmoothBorder& border : smoothBorders(topology, split)) {
+    const MeshEdge& e = *border.edge;
     const Eigen::Vector3d edge = mesh.vertices[size_t(e.b)] - mesh.vertices[size_t(e.a)];
-    add(a, b, edge);
-    add(b, a, edge);
+    add(border.a, border.b, edge);
+    add(border.b, border.a, edge);
   }
   return joined;
 }

@@ -8,9 +8,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kLargestSegment = 0.54;  // a little over 2 pi / 12 [rad]
-constexpr double kFitShare = 2e-3;        // vertices of an arc lie on it within this share of its radius
-constexpr double kSmallestSweep = 0.1;    // [rad]
+constexpr double kFitShare = 2e-3;  // vertices of an arc lie on it within this share of its radius
 constexpr size_t kLeastSegments = 3;
 
 /// Mesh edges in order between the same two surfaces; edge k runs from vertex k to vertex k + 1.

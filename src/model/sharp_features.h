@@ -3,6 +3,10 @@
 
 namespace monocular_eye_hand {
 
+// Of an arc in a mesh: the widest of its edges, a little over 2 pi / 12, and the least that it covers [rad].
+constexpr double kLargestSegment = 0.54;
+constexpr double kSmallestSweep = 0.1;
+
 struct SharpFeatures {
   std::vector<ModelEdge> edges;
   std::vector<ModelCircle> circles;

@@ -246,4 +246,15 @@ SurfaceSplit splitSurfaces(const Mesh& mesh, const Topology& topology, double sh
   return Splitter(mesh, topology, facets, tolerance).split();
 }
 
+std::vector<SmoothBorder> smoothBorders(const Topology& topology, const SurfaceSplit& split) {
+  std::vector<SmoothBorder> borders;
+  for (size_t k = 0; k < topology.edges.size(); ++k) {
+    const MeshEdge& edge = topology.edges[k];
+    if (split.sharp[k] || edge.t1 < 0) continue;
+    const int a = split.surface_of_triangle[size_t(edge.t0)], b = split.surface_of_triangle[size_t(edge.t1)];
+    if (a != b) borders.push_back({a, b, &edge});
+  }
+  return borders;
+}
+
 }  // namespace monocular_eye_hand

@@ -21,6 +21,13 @@ struct SurfaceSplit {
 /// angles; a hexagonal or octagonal prism keeps its edges.
 SurfaceSplit splitSurfaces(const Mesh& mesh, const Topology& topology, double sharp_angle, double tolerance);
 
+/// A mesh edge where two surfaces meet smoothly.
+struct SmoothBorder {
+  int a, b;  ///< SurfaceSplit::surfaces
+  const MeshEdge* edge;
+};
+std::vector<SmoothBorder> smoothBorders(const Topology& topology, const SurfaceSplit& split);
+
 /// A cylinder through points with given outward normals.
 struct CylinderFit {
   bool valid = false;
