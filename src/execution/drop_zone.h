@@ -3,7 +3,7 @@
 
 #include "monocular_eye_hand/execution/options.h"
 #include "monocular_eye_hand/model/object_model.h"
-#include "monocular_eye_hand/planning/pick_planner.h"
+#include "monocular_eye_hand/planning/pick_plan.h"
 
 namespace monocular_eye_hand {
 

@@ -6,15 +6,15 @@
 #include "execution/stopwatch.h"
 #include "monocular_eye_hand/execution/executor.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/planning/pick_planner.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 std::vector<Trajectory> trajectoriesOf(const Departure& departure, const PickPlan& plan) {
-  std::vector<Trajectory> trajectories;
-  if (!departure.trajectory.points.empty()) trajectories.push_back(departure.trajectory);
-  for (const PickMotion& motion : plan.motions) trajectories.push_back(motion.trajectory);
-  return trajectories;
+  std::vector<Trajectory> all = plan.trajectories();
+  if (!departure.trajectory.points.empty()) all.insert(all.begin(), departure.trajectory);
+  return all;
 }
 
 std::string otherWidth(const GripperReading& gripper, const PlacedObject& object, double part_width) {
@@ -158,7 +158,7 @@ MotionResult PickPlaceExecutor::closeOn(const PlacedObject& object, const KeptPl
   const PickTarget& target = kept.request.target;
   memory_.keep(PickMemory{object, target, motion_.clock()});  // before: a crash may come at any time
   const double squeezed = std::max(0.0, target.part_width - options_.execution.squeeze);
-  const MotionResult moved = motion_.closeGripper(squeezed, monitor);
+  MotionResult moved = motion_.closeGripper(squeezed, monitor);
   if (moved.outcome == ActionOutcome::kFault) return moved;
 
   const GripperReading gripper = motion_.gripper();

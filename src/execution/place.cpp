@@ -3,6 +3,7 @@
 #include "execution/drop_zone.h"
 #include "execution/stopwatch.h"
 #include "monocular_eye_hand/execution/executor.h"
+#include "monocular_eye_hand/planning/pick_planner.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -14,12 +15,6 @@ PickPlan afterLift(PickPlan plan) {
   const auto carries = [](const PickMotion& motion) { return motion.stage == PickStage::kCarry; };
   plan.motions.erase(plan.motions.begin(), std::find_if(plan.motions.begin(), plan.motions.end(), carries));
   return plan;
-}
-
-std::vector<Trajectory> trajectoriesOf(const PickPlan& plan) {
-  std::vector<Trajectory> trajectories;
-  for (const PickMotion& motion : plan.motions) trajectories.push_back(motion.trajectory);
-  return trajectories;
 }
 
 }  // namespace
@@ -89,7 +84,7 @@ PickPlan PickPlaceExecutor::planThePlace(int place, const JointVector& joints, b
 
 ActionResult PickPlaceExecutor::drivePlace(int place, const PickPlan& plan, const ActionMonitor& monitor) {
   if (!plan.planned()) return result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
-  monitor.show(trajectoriesOf(plan));
+  monitor.show(plan.trajectories());
   if (monitor.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
   MotionResult moved = carry(plan, monitor);
   if (!moved.done()) return result(moved);

@@ -152,7 +152,7 @@ MotionResult RobotMotion::closeGripper(double width, const MotionMonitor& monito
 MotionResult RobotMotion::moveFingers(double width, bool closing, const MotionMonitor& monitor) {
   const double start = robot_.clock();
   if (monitor.reportProgress) monitor.reportProgress(0);
-  const MotionResult result = waitForFingers(width, closing, start, monitor);
+  MotionResult result = waitForFingers(width, closing, start, monitor);
   motion_time_ += robot_.clock() - start;
   if (!result.done()) return result;
 

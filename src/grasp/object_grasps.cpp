@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/grasp/object_grasps.h"
 
+#include "monocular_eye_hand/grasp/plan_grasps.h"
+
 namespace monocular_eye_hand {
 
 const ObjectGraspPlan* bestOf(const std::vector<ObjectGraspPlan>& plans) {

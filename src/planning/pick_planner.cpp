@@ -205,6 +205,12 @@ const PickMotion& PickPlan::motion(PickStage stage) const {
   throw BadInput("the plan has no motion \"" + name(stage) + "\"");
 }
 
+std::vector<Trajectory> PickPlan::trajectories() const {
+  std::vector<Trajectory> all;
+  for (const PickMotion& motion : motions) all.push_back(motion.trajectory);
+  return all;
+}
+
 double PickPlan::duration() const {
   double sum = 0;
   for (const PickMotion& motion : motions) sum += motion.trajectory.duration();

@@ -123,6 +123,15 @@ class ExecutorTest : public testing::Test {
   /// As when the program starts again; the robot stays as it is.
   void restart() { executor = std::make_unique<PickPlaceExecutor>(options, &robot, &memory); }
 
+  /// Another executor, that knows nothing of the last pick, and an open gripper.
+  void beginAnew() {
+    restart();
+    executor->see({bridge()});
+    memory.keep(std::nullopt);
+    robot.sendGripper(0.06);
+    for (int i = 0; i < 100; ++i) robot.wait(0.01);
+  }
+
   /// The arm is there, as if it had always been.
   void standAt(const Rigid3& base_from_tcp) {
     ArmSolutions solutions;

@@ -122,11 +122,7 @@ TEST_F(Place, APlaceThatIsTaken) {
 TEST_F(Place, CancelledInEveryStage) {
   for (const char* stage : {"plan", "carry", "lower", "open", "retreat"}) {
     SCOPED_TRACE(stage);
-    restart();
-    executor->see({bridge()});
-    memory.keep(std::nullopt);
-    robot.sendGripper(0.06);
-    for (int i = 0; i < 100; ++i) robot.wait(0.01);
+    beginAnew();
     takeIt();
     cancel_in = stage;
     const ActionResult result = place();
@@ -156,11 +152,7 @@ TEST_F(Place, ACancelledCarryCanBeContinued) {
 TEST_F(Place, LostWhileItIsCarried) {
   for (const char* stage : {"carry", "lower"}) {
     SCOPED_TRACE(stage);
-    restart();
-    executor->see({bridge()});
-    memory.keep(std::nullopt);
-    robot.sendGripper(0.06);
-    for (int i = 0; i < 100; ++i) robot.wait(0.01);
+    beginAnew();
     takeIt();
     dropAt(stage);
     const ActionResult result = place();

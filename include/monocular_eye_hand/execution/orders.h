@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/execution/placed_object.h"
-#include "monocular_eye_hand/planning/pick_planner.h"
+#include "monocular_eye_hand/planning/pick_plan.h"
 
 namespace monocular_eye_hand {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/eye_hand/object_map.h"
-#include "monocular_eye_hand/grasp/plan_grasps.h"
+#include "monocular_eye_hand/grasp/grasp_plan.h"
 
 namespace monocular_eye_hand {
 

@@ -64,7 +64,8 @@ struct PickPlan {
   bool planned() const { return outcome == PickOutcome::kPlanned; }
   /// Throws BadInput when the plan has none of this stage.
   const PickMotion& motion(PickStage stage) const;
-  double duration() const;  ///< of the motions [s]
+  std::vector<Trajectory> trajectories() const;  ///< of the motions
+  double duration() const;                       ///< of the motions [s]
 };
 
 }  // namespace monocular_eye_hand
