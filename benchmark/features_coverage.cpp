@@ -8,10 +8,10 @@
 
 #include "features_bench_sets.h"
 #include "features_detectors.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 #include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/contour.h"
-#include "monocular_eye_hand/model/load_mesh.h"
-#include "monocular_eye_hand/model/ray_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -4,7 +4,7 @@
 #include "evaluation/json_file.h"
 #include "monocular_eye_hand/evaluation/dataset.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/load_mesh.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/execution/options.h"
-#include "monocular_eye_hand/model/object_model.h"
+#include "monocular_eye_hand/mesh/mesh.h"
 #include "monocular_eye_hand/planning/pick_plan.h"
 
 namespace monocular_eye_hand {

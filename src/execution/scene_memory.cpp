@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 
 namespace monocular_eye_hand {

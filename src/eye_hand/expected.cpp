@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

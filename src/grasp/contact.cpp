@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

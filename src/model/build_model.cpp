@@ -10,8 +10,9 @@
 #include "model/symmetry.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/plain_number.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
+#include "monocular_eye_hand/mesh/repair_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/ray_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "model/contour_index.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "model/topology.h"
+#include "monocular_eye_hand/mesh/topology.h"
 
 namespace monocular_eye_hand {
 

@@ -6,9 +6,8 @@
 #include "model/build_steps.h"
 #include "model/cache.h"
 #include "model/look_alikes.h"
-#include "model/mesh_readers.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/load_mesh.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -57,7 +56,7 @@ ViewSphere compiledViews(const ObjectEntry& entry, const ViewOptions& views, Cac
                          const CompileProgress& tell, ObjectModel* model) {
   CompiledParts parts;
   const std::string& folder = cache->folder;
-  const std::string name = folder.empty() ? "" : cacheName(readFileBytes(entry.mesh), spelled(entry, views));
+  const std::string name = folder.empty() ? "" : cacheName(meshFileBytes(entry.mesh), spelled(entry, views));
   const bool cached = !folder.empty() && readCache(folder + "/" + name, &parts);
   if (!cached) {
     tell("looking for symmetries");

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monocular_eye_hand/model/closest_point.h"
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "monocular_eye_hand/mesh/closest_point.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "model/symmetry_group.h"
 #include "model/tessellation.h"
-#include "monocular_eye_hand/model/closest_point.h"
+#include "monocular_eye_hand/mesh/closest_point.h"
 
 namespace monocular_eye_hand {
 namespace {

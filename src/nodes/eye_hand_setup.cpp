@@ -9,8 +9,8 @@
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 
 namespace monocular_eye_hand {

@@ -3,7 +3,7 @@
 #include <map>
 #include <opencv2/core.hpp>
 
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 #include "recognition/drawing_terms.h"
 #include "recognition/resolved_contour.h"
 

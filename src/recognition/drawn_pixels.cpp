@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 
 namespace monocular_eye_hand {
 

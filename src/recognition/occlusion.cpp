@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "monocular_eye_hand/model/ray_scene.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 #include "recognition/judging.h"
 #include "recognition/shared_work.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/grouping/grouping.h"
-#include "monocular_eye_hand/model/closest_point.h"
+#include "monocular_eye_hand/mesh/closest_point.h"
 #include "monocular_eye_hand/model/known_object.h"
 #include "recognition/anchors.h"
 #include "recognition/coarse_score.h"

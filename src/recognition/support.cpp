@@ -6,7 +6,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/length_text.h"
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 
 namespace monocular_eye_hand {
 namespace {

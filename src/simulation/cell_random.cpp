@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 #include "monocular_eye_hand/simulation/cell_gripper.h"
 #include "simulation/footprint.h"
 #include "simulation/random_look.h"

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "monocular_eye_hand/model/object_model.h"
+#include "monocular_eye_hand/mesh/mesh.h"
 
 namespace monocular_eye_hand {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 
 namespace monocular_eye_hand {
 namespace {

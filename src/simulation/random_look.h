@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/geometry/random.h"
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 #include "monocular_eye_hand/simulation/scene.h"
 
 namespace monocular_eye_hand {

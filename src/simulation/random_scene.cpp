@@ -7,7 +7,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/random.h"
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 #include "simulation/appearance.h"
 #include "simulation/clutter.h"
 #include "simulation/footprint.h"

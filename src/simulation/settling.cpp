@@ -6,7 +6,7 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 
 namespace monocular_eye_hand {
 namespace {

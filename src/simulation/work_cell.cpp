@@ -4,7 +4,7 @@
 #include <set>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 #include "monocular_eye_hand/simulation/cell.h"
 #include "simulation/cell_closing.h"
 #include "simulation/cell_collision.h"

@@ -6,8 +6,8 @@
 
 #include "monocular_eye_hand/evaluation/write_dataset.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/simulation/random_picture.h"
 #include "monocular_eye_hand/simulation/render.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -11,7 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/load_mesh.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "tools/model_picture.h"
 

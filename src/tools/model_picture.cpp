@@ -4,8 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "monocular_eye_hand/mesh/ray_scene.h"
 #include "monocular_eye_hand/model/contour.h"
-#include "monocular_eye_hand/model/ray_scene.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "monocular_eye_hand/eye_hand/object_map.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand::map_world {
 

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "monocular_eye_hand/grasp/plan_grasps.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/load_mesh.h"
 
 namespace monocular_eye_hand::grasp_world {
 

@@ -8,8 +8,8 @@
 
 #include "grasp_world.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 #include "monocular_eye_hand/model/free_turns.h"
-#include "monocular_eye_hand/model/stable_poses.h"
 #include "monocular_eye_hand/options/options.h"
 
 namespace monocular_eye_hand {

@@ -4,11 +4,11 @@
 
 #include <map>
 
+#include "../mesh/shapes.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
+#include "monocular_eye_hand/mesh/ray_scene.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/load_mesh.h"
-#include "monocular_eye_hand/model/ray_scene.h"
-#include "shapes.h"
 
 namespace monocular_eye_hand {
 namespace {

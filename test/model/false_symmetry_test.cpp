@@ -9,10 +9,10 @@
 #include <random>
 #include <tuple>
 
+#include "../mesh/shapes.h"
+#include "monocular_eye_hand/mesh/closest_point.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/closest_point.h"
-#include "monocular_eye_hand/model/load_mesh.h"
-#include "shapes.h"
 
 namespace monocular_eye_hand {
 namespace {

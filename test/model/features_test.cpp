@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "../mesh/shapes.h"
 #include "model_checks.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/known_object.h"
-#include "monocular_eye_hand/model/load_mesh.h"
-#include "shapes.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <fstream>
 
+#include "../mesh/shapes.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"
-#include "shapes.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -12,8 +12,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "../mesh/shapes.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "shapes.h"
 
 namespace monocular_eye_hand {
 namespace {

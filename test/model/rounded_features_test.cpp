@@ -2,9 +2,9 @@
 
 #include <map>
 
+#include "../mesh/shapes.h"
 #include "model_checks.h"
 #include "monocular_eye_hand/model/contour.h"
-#include "shapes.h"
 
 namespace monocular_eye_hand {
 namespace {

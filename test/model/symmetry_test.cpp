@@ -4,9 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "../mesh/shapes.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/model/load_mesh.h"
-#include "shapes.h"
 
 namespace monocular_eye_hand {
 namespace {

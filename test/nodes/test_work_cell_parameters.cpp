@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/load_mesh.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/options/options.h"
 #include "monocular_eye_hand/simulation/cell_scene.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
-#include "monocular_eye_hand/model/load_mesh.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/planning/pick_planner.h"
 
 namespace monocular_eye_hand {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "../model/shapes.h"
+#include "../mesh/shapes.h"
 #include "recognition/search_model.h"
 #include "verified.h"
 

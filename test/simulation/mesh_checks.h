@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "monocular_eye_hand/model/object_model.h"
+#include "monocular_eye_hand/mesh/mesh.h"
 
 namespace monocular_eye_hand {
 

@@ -9,7 +9,7 @@
 #include "mesh_checks.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/camera_file.h"
-#include "monocular_eye_hand/model/stable_poses.h"
+#include "monocular_eye_hand/mesh/stable_poses.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
 #include "monocular_eye_hand/simulation/truth.h"
 #include "simulation/footprint.h"

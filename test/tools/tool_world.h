@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "monocular_eye_hand/model/load_mesh.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/arm/puma560.h"
-#include "monocular_eye_hand/model/object_model.h"
+#include "monocular_eye_hand/mesh/mesh.h"
 
 namespace monocular_eye_hand {
 

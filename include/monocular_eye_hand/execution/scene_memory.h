@@ -8,7 +8,7 @@
 #include "monocular_eye_hand/execution/options.h"
 #include "monocular_eye_hand/execution/placed_object.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
-#include "monocular_eye_hand/model/object_model.h"
+#include "monocular_eye_hand/mesh/mesh.h"
 #include "monocular_eye_hand/planning/collision_world.h"
 
 namespace monocular_eye_hand {

@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "monocular_eye_hand/geometry/rigid3.h"
+#include "monocular_eye_hand/mesh/mesh.h"
 
 namespace monocular_eye_hand {
 
 // Lengths in metres, in the object frame, which is the CAD file's frame and never moved.
-
-struct Mesh {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
-};
 
 /// A maximal connected set of triangles that meet without a sharp edge: a plane, a cylinder wall, a free
 /// form.
@@ -95,7 +91,7 @@ struct ContourSample {
       0;  ///< silhouette: +1 / -1 when the object lies on the side of +/- (tangent x view ray); 0 else
 };
 
-class RayScene;      // model/ray_scene.h
+class RayScene;      // mesh/ray_scene.h
 class ContourIndex;  // what visibleContour prepares once per model
 
 struct ObjectModel {
