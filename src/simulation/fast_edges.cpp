@@ -60,11 +60,11 @@ float FastRenderer::samplePixel(int x, int y) const {
 
     world_.cast(rays, kNear, &hits);
     for (int k = 0; k < kLanes; ++k) {
-      if (hits.body[k] < 0) {
+      if (hits.id[k] < 0) {
         sum += look_.background();
         continue;
       }
-      SurfacePoint point{hits.body[k], origin_ + hits.t[k] * directions[k], {}, hits.normal[k]};
+      SurfacePoint point{hits.id[k], origin_ + hits.distance[k] * directions[k], {}, hits.normal[k]};
       point.normal = world_.smoothNormal(point.body, hits.triangle[k], hits.u[k], hits.v[k], point.geometric);
       sum += look_.radiance(point, -directions[k].normalized(), borrowedShares(x, y, point, first + k));
     }

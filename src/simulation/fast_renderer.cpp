@@ -65,8 +65,8 @@ void FastRenderer::findHits(int first_row, int last_row) {
       world_.cast(rays, kNear, &hits);
       for (int k = 0; k < kLanes && x + k < width_; ++k) {
         PixelHit& out = hit(x + k, y);
-        out.body = hits.body[k];
-        out.depth = out.body >= 0 ? hits.t[k] : 0;
+        out.body = hits.id[k];
+        out.depth = out.body >= 0 ? hits.distance[k] : 0;
         if (out.body < 0) continue;
         out.p = origin_ + out.depth * Eigen::Vector3f(rays.dx[k], rays.dy[k], rays.dz[k]);
         out.geometric = hits.normal[k];

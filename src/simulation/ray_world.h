@@ -1,19 +1,16 @@
 #pragma once
-#include <embree3/rtcore.h>
-
+#include <memory>
 #include <vector>
 
+#include "monocular_eye_hand/mesh/ray_tracer.h"
 #include "monocular_eye_hand/simulation/scene.h"
 
 namespace monocular_eye_hand {
 
-/// A Scene for Embree: one geometry per object in world coordinates, the table last.
+/// A Scene for rays: its objects in world coordinates, the table last.
 class RayWorld {
  public:
   explicit RayWorld(const Scene& scene);
-  ~RayWorld();
-  RayWorld(const RayWorld&) = delete;
-  RayWorld& operator=(const RayWorld&) = delete;
 
   struct Hit {
     int id;  ///< Scene::objects, kTableId or kNothingId
@@ -26,16 +23,17 @@ class RayWorld {
   /// The same against one object only.
   bool meets(int object, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const;
   /// True when something lies on origin + t direction, 0 < t < far.
-  bool blocked(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float far) const;
+  bool blocked(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float far) const {
+    return world_.blocked(origin, direction, far);
+  }
   /// Interpolated across surfaces that meet without a sharp edge, so that tessellated cylinders look round.
   Eigen::Vector3f smoothNormal(const Hit& hit) const;
 
  private:
-  RTCGeometry addMesh(const Mesh& mesh, const Rigid3& world_from_mesh);
+  void add(const Mesh& mesh, const Rigid3& world_from_mesh);
 
-  RTCDevice device_;
-  RTCScene world_;
-  std::vector<RTCScene> alone_;
+  RayTracer world_;
+  std::vector<std::unique_ptr<RayTracer>> alone_;             // each object without the others
   std::vector<std::vector<Eigen::Vector3f>> corner_normals_;  // three per triangle, world frame
 };
 

@@ -1,18 +1,12 @@
 #pragma once
-#include <Eigen/Core>
-#include <memory>
-
-#include "monocular_eye_hand/mesh/mesh.h"
+#include "monocular_eye_hand/mesh/ray_tracer.h"
 
 namespace monocular_eye_hand {
 
-/// Ray queries against one mesh (Embree). Const calls are safe from several threads.
+/// Ray queries against one mesh, in its frame. Const calls are safe from several threads.
 class RayScene {
  public:
   explicit RayScene(const Mesh& mesh);
-  ~RayScene();
-  RayScene(const RayScene&) = delete;
-  RayScene& operator=(const RayScene&) = delete;
 
   struct Hit {
     bool hit = false;
@@ -24,8 +18,8 @@ class RayScene {
   bool occluded(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  Eigen::Vector3d centre_;  // single precision is finest near the origin
+  RayTracer tracer_;
 };
 
 }  // namespace monocular_eye_hand
