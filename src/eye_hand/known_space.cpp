@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/length_text.h"
-#include "monocular_eye_hand/model/solid.h"
+#include "monocular_eye_hand/model/interior.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "monocular_eye_hand/eye_hand/object_map.h"
-#include "monocular_eye_hand/model/solid.h"
+#include "monocular_eye_hand/model/interior.h"
 
 namespace monocular_eye_hand {
 

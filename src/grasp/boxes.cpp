@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "monocular_eye_hand/model/solid.h"
+#include "monocular_eye_hand/model/interior.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -40,10 +40,6 @@ bool isExactBinaryStl(const std::string& bytes);
 void appendPolygon(const std::vector<Eigen::Vector3d>& vertices, const std::vector<int>& polygon,
                    std::vector<std::array<int, 3>>* triangles);
 
-/// True when every edge belongs to two triangles that run it in opposite directions; vertices at the same
-/// place are one. Of a file whose count of triangles is wrong it tells that none is missing.
-bool isClosed(const Mesh& mesh);
-
 /// Metres of the unit that a text names beside the word "unit" ("units: mm", "File units = inches"); 0 when
 /// it names none.
 double unitNamedIn(const std::string& text);

@@ -20,9 +20,16 @@ RayScene::RayScene(const Mesh& mesh) : centre_(middleOf(mesh)), tracer_(RayTrace
 }
 
 RayScene::Hit RayScene::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& unit_direction) const {
-  const RayTracer::Hit hit = tracer_.cast((origin - centre_).cast<float>(), unit_direction.cast<float>());
+  const Eigen::Vector3f direction = unit_direction.cast<float>();
+  const RayTracer::Hit hit = tracer_.cast((origin - centre_).cast<float>(), direction);
   if (hit.id == RayTracer::kNone) return {};
-  return {true, double(hit.distance), int(hit.triangle)};
+  return {true, double(hit.distance), int(hit.triangle), hit.normal.dot(direction) > 0};
+}
+
+bool RayScene::inside(const Eigen::Vector3d& p) const {
+  // A direction that runs along no usual face; leaving the solid, the ray meets a face from behind.
+  static const Eigen::Vector3d direction = Eigen::Vector3d(0.3819, 0.5402, 0.7499).normalized();
+  return cast(p, direction).from_behind;
 }
 
 bool RayScene::occluded(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {

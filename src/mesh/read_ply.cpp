@@ -6,6 +6,7 @@
 #include "mesh/ply_header.h"
 #include "mesh/text_scanner.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/topology.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -7,6 +7,7 @@
 #include "mesh/text_scanner.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_content.h"
+#include "monocular_eye_hand/mesh/topology.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -41,6 +41,22 @@ void addEdge(const Mesh& mesh, const std::vector<Use>& uses, size_t begin, size_
   out->edges.push_back(edge);
 }
 
+using Directed = std::array<int, 2>;
+
+/// Numbers of the vertices under which vertices at the same place are one.
+std::vector<int> mergedNumbers(const std::vector<Eigen::Vector3d>& vertices) {
+  std::vector<int> order(vertices.size()), number(vertices.size());
+  for (size_t k = 0; k < order.size(); ++k) order[k] = int(k);
+  const auto less = [&](int i, int j) {
+    const Eigen::Vector3d &a = vertices[i], &b = vertices[j];
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::sort(order.begin(), order.end(), less);
+  for (size_t k = 0; k < order.size(); ++k)
+    number[order[k]] = k > 0 && !less(order[k - 1], order[k]) ? number[order[k - 1]] : int(k);
+  return number;
+}
+
 }  // namespace
 
 Topology buildTopology(const Mesh& mesh) {
@@ -103,6 +119,22 @@ double meshDiameter(const std::vector<Eigen::Vector3d>& vertices) {
     for (size_t j = 0; j < i; j += stride) best = std::max(best, (candidates[i] - candidates[j]).norm());
   }
   return best;
+}
+
+bool isClosed(const Mesh& mesh) {
+  const std::vector<int> number = mergedNumbers(mesh.vertices);
+  std::vector<Directed> edges, reversed;
+  for (const auto& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = number[t[k]], b = number[t[(k + 1) % 3]];
+      if (a == b) continue;
+      edges.push_back({a, b});
+      reversed.push_back({b, a});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::sort(reversed.begin(), reversed.end());
+  return !edges.empty() && edges == reversed;
 }
 
 }  // namespace monocular_eye_hand

@@ -11,6 +11,18 @@ namespace {
 
 constexpr int kPostures = 64;  // that decide which links always touch
 
+Solid solidOf(const ArmShape& shape) {
+  switch (shape.kind) {
+    case ArmShape::Kind::kBox:
+      return boxSolid(shape.size, shape.link_from_shape);
+    case ArmShape::Kind::kCylinder:
+      return cylinderSolid(shape.size.x(), shape.size.z(), shape.link_from_shape);
+    case ArmShape::Kind::kMesh:
+      break;
+  }
+  return meshSolid(shape.mesh ? *shape.mesh : Mesh{}, shape.link_from_shape);
+}
+
 void enclose(CollisionLink* link) {
   if (link->solids.empty()) return;
   Eigen::AlignedBox3d bounds;
@@ -50,7 +62,7 @@ CollisionArm::CollisionArm(const ArmDescription& arm)
     link.fixed = from.joint < 0 && from.finger == 0 && (from.parent < 0 || links_[from.parent].fixed);
 
     try {
-      for (const ArmShape& shape : from.collision) link.solids.push_back(makeSolid(shape));
+      for (const ArmShape& shape : from.collision) link.solids.push_back(solidOf(shape));
     } catch (const BadInput& e) {
       throw BadInput("link " + from.name + ": " + e.what());
     }

@@ -4,7 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "planning/solid.h"
+#include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/mesh/solid.h"
 
 namespace monocular_eye_hand {
 

@@ -70,13 +70,15 @@ struct CollisionWorld::Impl {
   }
   bool canTouch(int link) const { return arm->links()[link].finger != 0; }  // what is carried
 
-  void add(const std::string& name, const ArmShape& shape, const Rigid3& base_from_object) {
+  /// `make` returns the solid or throws BadInput.
+  template <class Make>
+  void add(const std::string& name, const Make& make, const Rigid3& base_from_object) {
     if (name.empty() || find(name) >= 0) throw BadInput("the name \"" + name + "\" is empty or in use");
     WorldObject object;
     object.name = name;
     object.base_from_object = requireFinite(base_from_object, name);
     try {
-      object.solid = makeSolid(shape);
+      object.solid = make();
     } catch (const BadInput& e) {
       throw BadInput(name + ": " + e.what());
     }
@@ -180,15 +182,12 @@ CollisionWorld& CollisionWorld::operator=(const CollisionWorld& other) {
 
 void CollisionWorld::addBox(const std::string& name, const Eigen::Vector3d& size,
                             const Rigid3& base_from_box) {
-  ArmShape shape;
-  shape.size = size;
-  impl_->add(name, shape, base_from_box);
+  impl_->add(
+      name, [&] { return boxSolid(size); }, base_from_box);
 }
 void CollisionWorld::addMesh(const std::string& name, const Mesh& mesh, const Rigid3& base_from_mesh) {
-  ArmShape shape;
-  shape.kind = ArmShape::Kind::kMesh;
-  shape.mesh = std::make_shared<const Mesh>(mesh);
-  impl_->add(name, shape, base_from_mesh);
+  impl_->add(
+      name, [&] { return meshSolid(mesh); }, base_from_mesh);
 }
 void CollisionWorld::remove(const std::string& name) {
   const int k = impl_->requireObject(name), row = impl_->linkCount() + k;

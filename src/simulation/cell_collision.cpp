@@ -1,38 +1,15 @@
 #include "simulation/cell_collision.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/collision_object.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "monocular_eye_hand/mesh/solid.h"
 #include "monocular_eye_hand/simulation/cell_gripper.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-using Geometry = fcl::BVHModel<fcl::OBBRSSd>;
-
-std::shared_ptr<Geometry> geometryOf(const Mesh& mesh) {
-  auto out = std::make_shared<Geometry>();
-  std::vector<fcl::Triangle> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles) triangles.emplace_back(size_t(t[0]), size_t(t[1]), size_t(t[2]));
-  out->beginModel(int(triangles.size()), int(mesh.vertices.size()));
-  out->addSubModel(mesh.vertices, triangles);
-  out->endModel();
-  out->computeLocalAABB();
-  return out;
-}
-
-fcl::Transform3d isometry(const Rigid3& a_from_b) {
-  fcl::Transform3d out = fcl::Transform3d::Identity();
-  out.linear() = a_from_b.rotation;
-  out.translation() = a_from_b.translation;
-  return out;
-}
+constexpr double kRounding = 1e-9;  // of boxes around solids that just touch [m]
 
 /// A solid with every side `by` further in (convex meshes: their vertices that much nearer to the middle).
 ArmShape shrunk(ArmShape shape, double by) {
@@ -53,38 +30,37 @@ ArmShape shrunk(ArmShape shape, double by) {
   return shape;
 }
 
-struct Solid {
-  int owner;  // link or object
-  std::unique_ptr<fcl::CollisionObjectd> body;
-  std::vector<Eigen::Vector3d> vertices;  // own frame
-  void place(const Rigid3& world_from_owner) {
-    body->setTransform(isometry(world_from_owner));
-    body->computeAABB();
+struct Body {
+  Body(int owner_, const Mesh& mesh) : owner(owner_), solid(meshSolid(mesh)), vertices(mesh.vertices) {
+    place({});
   }
+  void place(const Rigid3& pose) {
+    world_from_body = pose;
+    box = solid.boxAt(pose, kRounding);
+  }
+
+  int owner;  // link or object
+  Solid solid;
+  std::vector<Eigen::Vector3d> vertices;  // own frame
+  Rigid3 world_from_body;
+  OrientedBox box;
 };
 
-Solid makeSolid(int owner, const Mesh& mesh) {
-  return {owner, std::make_unique<fcl::CollisionObjectd>(geometryOf(mesh)), mesh.vertices};
+bool collide(const Body& a, const Body& b) {
+  return overlap(a.box, b.box) && surfacesTouch(a.solid, a.world_from_body, b.solid, b.world_from_body);
 }
 
-bool collide(const Solid& a, const Solid& b) {
-  if (!a.body->getAABB().overlap(b.body->getAABB())) return false;
-  fcl::CollisionRequestd request;
-  fcl::CollisionResultd result;
-  return fcl::collide(a.body.get(), b.body.get(), request, result) > 0;
-}
-
-double lowestOf(const Solid& solid) {
+double lowestOf(const Body& body) {
   double z = 1e9;
-  for (const Eigen::Vector3d& p : solid.vertices) z = std::min(z, (solid.body->getTransform() * p).z());
+  for (const Eigen::Vector3d& p : body.vertices) z = std::min(z, (body.world_from_body * p).z());
   return z;
 }
 
 }  // namespace
 
 struct CellSolids::Impl {
-  std::vector<Solid> links, objects;
-  std::vector<Solid> table;  // one or none
+  std::vector<Body> links, objects;
+  std::vector<Body> table;   // one or none
   std::vector<bool> finger;  // per link
   std::vector<bool> moves;   // per link: some joint turns it
   double floor_z = 0, tolerance = 0;
@@ -101,24 +77,23 @@ CellSolids::CellSolids(const ArmDescription& arm, const std::vector<SceneObject>
     impl_->finger.push_back(link.finger != 0);
     impl_->moves.push_back(link.joint >= 0 || (link.parent >= 0 && impl_->moves[size_t(link.parent)]));
     for (const ArmShape& shape : link.collision)
-      impl_->links.push_back(makeSolid(int(k), solidMesh(shrunk(shape, tolerance))));
+      impl_->links.emplace_back(int(k), solidMesh(shrunk(shape, tolerance)));
   }
 
   for (size_t k = 0; k < objects.size(); ++k) {
-    impl_->objects.push_back(makeSolid(int(k), *objects[k].mesh));
+    impl_->objects.emplace_back(int(k), *objects[k].mesh);
     impl_->objects.back().place(objects[k].world_from_object);
   }
 
   if (!table.present) return;
-  impl_->table.push_back(
-      makeSolid(0, boxMesh({2 * table.half_width, 2 * table.half_depth, table_thickness})));
+  impl_->table.emplace_back(0, boxMesh({2 * table.half_width, 2 * table.half_depth, table_thickness}));
   impl_->table[0].place({Eigen::Matrix3d::Identity(), {0, 0, -table_thickness}});
 }
 
 CellSolids::~CellSolids() = default;
 
 void CellSolids::placeArm(const std::vector<Rigid3>& world_from_links) {
-  for (Solid& solid : impl_->links) solid.place(world_from_links[size_t(solid.owner)]);
+  for (Body& body : impl_->links) body.place(world_from_links[size_t(body.owner)]);
 }
 
 void CellSolids::placeObject(int object, const Rigid3& world_from_object) {
@@ -127,12 +102,12 @@ void CellSolids::placeObject(int object, const Rigid3& world_from_object) {
 
 std::vector<std::pair<int, int>> CellSolids::armCollisions(int carried) const {
   std::vector<std::pair<int, int>> pairs;
-  for (const Solid& link : impl_->links) {
-    for (const Solid& table : impl_->table)
+  for (const Body& link : impl_->links) {
+    for (const Body& table : impl_->table)
       if (collide(link, table)) pairs.emplace_back(link.owner, kTable);
     if (impl_->moves[size_t(link.owner)] && lowestOf(link) < impl_->floor_z)
       pairs.emplace_back(link.owner, kFloor);
-    for (const Solid& object : impl_->objects)
+    for (const Body& object : impl_->objects)
       if (!(object.owner == carried && impl_->finger[size_t(link.owner)]) && collide(link, object))
         pairs.emplace_back(link.owner, object.owner);
   }
@@ -144,19 +119,16 @@ std::vector<std::pair<int, int>> CellSolids::armCollisions(int carried) const {
 std::vector<int> CellSolids::objectCollisions(int object) const {
   std::vector<int> out;
   // Resting on the table or set down on it is no collision: a copy that hangs `tolerance` higher is asked.
-  const Solid& own = impl_->objects[size_t(object)];
-  fcl::CollisionObjectd lifted(*own.body);
-  lifted.setTranslation(own.body->getTranslation() + Eigen::Vector3d(0, 0, impl_->tolerance));
-  lifted.computeAABB();
-  for (const Solid& table : impl_->table) {
-    fcl::CollisionRequestd request;
-    fcl::CollisionResultd result;
-    if (lifted.getAABB().overlap(table.body->getAABB()) &&
-        fcl::collide(&lifted, table.body.get(), request, result) > 0)
+  const Body& own = impl_->objects[size_t(object)];
+  const Rigid3 lifted{own.world_from_body.rotation,
+                      own.world_from_body.translation + Eigen::Vector3d(0, 0, impl_->tolerance)};
+  const OrientedBox lifted_box = own.solid.boxAt(lifted, kRounding);
+  for (const Body& table : impl_->table)
+    if (overlap(lifted_box, table.box) &&
+        surfacesTouch(own.solid, lifted, table.solid, table.world_from_body))
       out.push_back(kTable);
-  }
   if (lowestOf(own) < impl_->floor_z - impl_->tolerance) out.push_back(kFloor);
-  for (const Solid& other : impl_->objects)
+  for (const Body& other : impl_->objects)
     if (other.owner != object && collide(own, other)) out.push_back(other.owner);
   return out;
 }

@@ -9,7 +9,7 @@
 
 namespace monocular_eye_hand {
 
-/// The true solids of a cell (FCL): which of them meet. World: the table's frame.
+/// The true solids of a cell: which of them meet. World: the table's frame.
 class CellSolids {
  public:
   /// Solids of the arm are `tolerance` smaller than drawn, so that touching is no collision.

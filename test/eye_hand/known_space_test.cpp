@@ -5,7 +5,7 @@
 
 #include "map_world.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/solid.h"
+#include "monocular_eye_hand/model/interior.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "failure.h"
 #include "map_world.h"
-#include "monocular_eye_hand/model/solid.h"
+#include "monocular_eye_hand/model/interior.h"
 #include "monocular_eye_hand/options/options.h"
 
 namespace monocular_eye_hand {

@@ -12,8 +12,11 @@ class RayScene {
     bool hit = false;
     double distance = 0;  ///< along the unit direction [m]
     int triangle = -1;
+    bool from_behind = false;  ///< the triangle faces away from the ray
   };
   Hit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& unit_direction) const;
+  /// Whether a point lies inside the mesh, which must be closed and its triangles turned outwards.
+  bool inside(const Eigen::Vector3d& p) const;
   /// True when something lies between the two points.
   bool occluded(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 

@@ -24,6 +24,10 @@ struct Topology {
 };
 Topology buildTopology(const Mesh& mesh);
 
+/// True when every edge belongs to two triangles that run it in opposite directions; vertices at the same
+/// place are one.
+bool isClosed(const Mesh& mesh);
+
 /// Largest distance between two vertices.
 double meshDiameter(const std::vector<Eigen::Vector3d>& vertices);
 

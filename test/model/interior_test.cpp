@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/model/solid.h"
+#include "monocular_eye_hand/model/interior.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ bool meet(const ObjectModel& a, const ObjectModel& b, const Rigid3& a_from_b, do
   return interpenetrate(a, innerPoints(a, depth), b, innerPoints(b, depth), a_from_b);
 }
 
-TEST(Solid, InsideIsInside) {
+TEST(Interior, InsideIsInside) {
   const ObjectModel b = box(0.04, 0.06, 0.02);
   EXPECT_TRUE(insideSolid(b, {0, 0, 0}));
   EXPECT_TRUE(insideSolid(b, {0.0199, -0.0299, 0.0099}));
@@ -36,7 +36,7 @@ TEST(Solid, InsideIsInside) {
   EXPECT_FALSE(insideSolid(b, {1, 1, 1}));
 }
 
-TEST(Solid, AHoleIsOutside) {
+TEST(Interior, AHoleIsOutside) {
   const ObjectModel frame =
       buildModel("frame", loadMesh(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/models/frame.ply", "mm"));
   EXPECT_FALSE(insideSolid(frame, frame.centre()));
@@ -45,7 +45,7 @@ TEST(Solid, AHoleIsOutside) {
   for (const Eigen::Vector3d& p : inner) EXPECT_TRUE(insideSolid(frame, p));
 }
 
-TEST(Solid, AnOpenMeshHasNoInside) {
+TEST(Interior, AnOpenMeshHasNoInside) {
   Mesh mesh = boxMesh(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(0.05));
   mesh.triangles.pop_back();
   const ObjectModel open = buildModel("open", mesh);
@@ -53,7 +53,7 @@ TEST(Solid, AnOpenMeshHasNoInside) {
   EXPECT_TRUE(innerPoints(open, 0.004).empty());
 }
 
-TEST(Solid, InnerPointsKeepTheirDepthAndNumber) {
+TEST(Interior, InnerPointsKeepTheirDepthAndNumber) {
   const ObjectModel b = box(0.04, 0.06, 0.02);
   const std::vector<Eigen::Vector3d> inner = innerPoints(b, 0.004);
   ASSERT_FALSE(inner.empty());
@@ -67,7 +67,7 @@ TEST(Solid, InnerPointsKeepTheirDepthAndNumber) {
   EXPECT_FALSE(innerPoints(box(0.04, 0.06, 0.003), 0.004).empty());
 }
 
-TEST(Solid, WhatReachesIntoEachOtherDoesWhatTouchesDoesNot) {
+TEST(Interior, WhatReachesIntoEachOtherDoesWhatTouchesDoesNot) {
   const ObjectModel b = box(0.04, 0.04, 0.04), bar = box(0.2, 0.012, 0.012);
   EXPECT_TRUE(meet(b, b, shifted(0.03, 0, 0)));
   EXPECT_FALSE(meet(b, b, shifted(0.038, 0, 0)));  // 2 mm deep

@@ -1,4 +1,4 @@
-#include "planning/solid.h"
+#include "monocular_eye_hand/mesh/solid.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
@@ -6,17 +6,19 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
-#include <map>
+#include <string>
 #include <utility>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/topology.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 using Geometry = fcl::CollisionGeometry<double>;
-using Kind = ArmShape::Kind;
+using Kind = Solid::Kind;
 
 fcl::Transform3d toFcl(const Rigid3& pose) {
   fcl::Transform3d t = fcl::Transform3d::Identity();
@@ -36,41 +38,30 @@ std::shared_ptr<const Geometry> meshGeometry(const Mesh& mesh) {
   return bvh;
 }
 
-/// Corners may be stored once per triangle: edges are counted between positions.
-bool isClosed(const Mesh& mesh) {
-  const auto less = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  };
-  std::map<Eigen::Vector3d, int, decltype(less)> ids(less);
-  std::map<std::pair<int, int>, int> edges;
-  for (const auto& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const int a = ids.emplace(mesh.vertices[t[i]], int(ids.size())).first->second;
-      const int b = ids.emplace(mesh.vertices[t[(i + 1) % 3]], int(ids.size())).first->second;
-      if (a != b) edges[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
-    }
-  for (const auto& edge : edges)
-    if (edge.second != 0) return false;
-  return true;
-}
-
-/// Solid angle over 4 pi, 1 inside (van Oosterom & Strackee 1983).
-double windingNumber(const Mesh& mesh, const Eigen::Vector3d& p) {
+/// Six times the volume that the triangles enclose, below 0 when they face inwards.
+double signedVolume(const Mesh& mesh) {
   double sum = 0;
+  const Eigen::Vector3d middle = mesh.vertices[size_t(mesh.triangles[0][0])];
   for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3d a = mesh.vertices[t[0]] - p, b = mesh.vertices[t[1]] - p,
-                          c = mesh.vertices[t[2]] - p;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    const Eigen::Vector3d a = mesh.vertices[t[0]] - middle, b = mesh.vertices[t[1]] - middle;
+    sum += a.dot(b.cross(mesh.vertices[t[2]] - middle));
   }
-  return sum / (2 * M_PI);
+  return sum;
 }
 
-bool contains(const Solid& mesh, const Rigid3& base_from_mesh, const Eigen::Vector3d& p_in_base) {
-  if (mesh.kind != Kind::kMesh || !mesh.closed) return false;
-  const Eigen::Vector3d p = base_from_mesh.rotation.transpose() * (p_in_base - base_from_mesh.translation);
-  if (((p - mesh.box_centre).cwiseAbs() - mesh.half).maxCoeff() > 0) return false;
-  return std::abs(windingNumber(*mesh.mesh, p)) > 0.5;
+/// For the question what is inside: a mesh that is inside out is turned.
+std::shared_ptr<const RayScene> raysOf(const Mesh& mesh) {
+  if (signedVolume(mesh) >= 0) return std::make_shared<RayScene>(mesh);
+  Mesh outward = mesh;
+  for (auto& t : outward.triangles) std::swap(t[1], t[2]);
+  return std::make_shared<RayScene>(outward);
+}
+
+bool contains(const Solid& solid, const Rigid3& base_from_solid, const Eigen::Vector3d& p_in_base) {
+  if (!solid.rays) return false;
+  const Eigen::Vector3d p = base_from_solid.rotation.transpose() * (p_in_base - base_from_solid.translation);
+  if (((p - solid.box_centre).cwiseAbs() - solid.half).maxCoeff() > 0) return false;
+  return solid.rays->inside(p);
 }
 
 bool oneInTheOther(const Solid& a, const Rigid3& base_from_a, const Solid& b, const Rigid3& base_from_b) {
@@ -84,9 +75,8 @@ double surfaceDistance(const Solid& a, const Rigid3& base_from_a, const Solid& b
                        result);
 }
 
-void requireMesh(const ArmShape& shape) {
-  if (!shape.mesh || shape.mesh->triangles.empty()) throw BadInput("the mesh has no triangles");
-  const Mesh& mesh = *shape.mesh;
+void requireMesh(const Mesh& mesh) {
+  if (mesh.triangles.empty()) throw BadInput("the mesh has no triangles");
   for (const Eigen::Vector3d& p : mesh.vertices)
     if (!p.allFinite()) throw BadInput("the mesh has a vertex that is not finite");
   for (const auto& t : mesh.triangles)
@@ -94,6 +84,20 @@ void requireMesh(const ArmShape& shape) {
       if (i < 0 || i >= int(mesh.vertices.size()))
         throw BadInput("the mesh has a triangle with vertex " + std::to_string(i) + " of " +
                        std::to_string(mesh.vertices.size()));
+}
+
+Solid placedSolid(Kind kind, const Rigid3& owner_from_solid) {
+  if (!owner_from_solid.isFinite()) throw BadInput("the pose of the shape is not finite");
+  Solid solid;
+  solid.kind = kind;
+  solid.owner_from_solid = owner_from_solid;
+  solid.size = solid.half = solid.box_centre = solid.inside = Eigen::Vector3d::Zero();
+  return solid;
+}
+
+void requireSize(const Eigen::Vector3d& size) {
+  if (!size.allFinite() || !(size.minCoeff() > 0))
+    throw BadInput("the size of a shape must be above 0 m in every direction");
 }
 
 }  // namespace
@@ -131,37 +135,35 @@ OrientedBox Solid::boxAt(const Rigid3& base_from_owner, double padding) const {
   return box;
 }
 
-Solid makeSolid(const ArmShape& shape) {
-  if (!shape.link_from_shape.isFinite()) throw BadInput("the pose of the shape is not finite");
-  Solid solid;
-  solid.kind = shape.kind;
-  solid.owner_from_solid = shape.link_from_shape;
-  solid.size = shape.size;
-  solid.box_centre = solid.inside = Eigen::Vector3d::Zero();
+Solid boxSolid(const Eigen::Vector3d& size, const Rigid3& owner_from_solid) {
+  Solid solid = placedSolid(Kind::kBox, owner_from_solid);
+  requireSize(size);
+  solid.size = size;
+  solid.half = size / 2;
+  solid.geometry = std::make_shared<fcl::Boxd>(size);
+  return solid;
+}
 
-  if (shape.kind == Kind::kMesh) {
-    requireMesh(shape);
-    Eigen::AlignedBox3d bounds;
-    for (const auto& t : shape.mesh->triangles)
-      for (int i : t) bounds.extend(shape.mesh->vertices[i]);
-    solid.mesh = shape.mesh;
-    solid.closed = isClosed(*shape.mesh);
-    solid.half = bounds.sizes() / 2;
-    solid.box_centre = bounds.center();
-    solid.inside = shape.mesh->vertices[shape.mesh->triangles[0][0]];
-    solid.geometry = meshGeometry(*shape.mesh);
-    return solid;
-  }
+Solid cylinderSolid(double radius, double length, const Rigid3& owner_from_solid) {
+  Solid solid = placedSolid(Kind::kCylinder, owner_from_solid);
+  solid.size = {radius, radius, length};
+  requireSize(solid.size);
+  solid.half = {radius, radius, length / 2};
+  solid.geometry = std::make_shared<fcl::Cylinderd>(radius, length);
+  return solid;
+}
 
-  if (!shape.size.allFinite() || !(shape.size.minCoeff() > 0))
-    throw BadInput("the size of a shape must be above 0 m in every direction");
-  if (shape.kind == Kind::kBox) {
-    solid.half = shape.size / 2;
-    solid.geometry = std::make_shared<fcl::Boxd>(shape.size);
-  } else {
-    solid.half = Eigen::Vector3d(shape.size.x(), shape.size.x(), shape.size.z() / 2);
-    solid.geometry = std::make_shared<fcl::Cylinderd>(shape.size.x(), shape.size.z());
-  }
+Solid meshSolid(const Mesh& mesh, const Rigid3& owner_from_solid) {
+  Solid solid = placedSolid(Kind::kMesh, owner_from_solid);
+  requireMesh(mesh);
+  Eigen::AlignedBox3d bounds;
+  for (const auto& t : mesh.triangles)
+    for (int i : t) bounds.extend(mesh.vertices[i]);
+  solid.half = bounds.sizes() / 2;
+  solid.box_centre = bounds.center();
+  solid.inside = mesh.vertices[mesh.triangles[0][0]];
+  solid.geometry = meshGeometry(mesh);
+  if (isClosed(mesh)) solid.rays = raysOf(mesh);
   return solid;
 }
 
@@ -187,6 +189,13 @@ bool touch(const Solid& a, const Rigid3& base_from_a, double padding, const Soli
     if (!hit && padding > 0) hit = surfaceDistance(a, base_from_a, b, base_from_b) < padding;
   }
   return hit || oneInTheOther(a, base_from_a, b, base_from_b);
+}
+
+bool surfacesTouch(const Solid& a, const Rigid3& base_from_a, const Solid& b, const Rigid3& base_from_b) {
+  const fcl::CollisionRequestd request;
+  fcl::CollisionResultd result;
+  return fcl::collide(a.geometry.get(), toFcl(base_from_a), b.geometry.get(), toFcl(base_from_b), request,
+                      result) > 0;
 }
 
 double signedDistance(const Solid& a, const Rigid3& base_from_a, const Solid& b, const Rigid3& base_from_b) {

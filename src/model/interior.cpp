@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/model/solid.h"
+#include "monocular_eye_hand/model/interior.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +20,7 @@ bool anyInside(const ObjectModel& solid, const Rigid3& solid_from_points,
 }  // namespace
 
 bool insideSolid(const ObjectModel& model, const Eigen::Vector3d& p_in_object) {
-  if (!model.closed || !model.rays || !model.bounds.contains(p_in_object)) return false;
-  // A direction that runs along no usual face; leaving the solid, the ray meets a face from behind.
-  const Eigen::Vector3d direction = Eigen::Vector3d(0.3819, 0.5402, 0.7499).normalized();
-  const RayScene::Hit hit = model.rays->cast(p_in_object, direction);
-  if (!hit.hit) return false;
-  const auto& t = model.mesh.triangles[size_t(hit.triangle)];
-  const std::vector<Eigen::Vector3d>& v = model.mesh.vertices;
-  const Eigen::Vector3d normal = (v[size_t(t[1])] - v[size_t(t[0])]).cross(v[size_t(t[2])] - v[size_t(t[0])]);
-  return normal.dot(direction) > 0;
+  return model.closed && model.rays && model.bounds.contains(p_in_object) && model.rays->inside(p_in_object);
 }
 
 std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth, size_t most) {
