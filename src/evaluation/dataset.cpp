@@ -6,8 +6,8 @@
 #include <set>
 
 #include "evaluation/json_file.h"
-#include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/grey_image.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/options/image_files.h"
+#include "monocular_eye_hand/io/image_files.h"
 
 namespace monocular_eye_hand {
 namespace {

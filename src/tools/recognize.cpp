@@ -8,11 +8,11 @@
 #include <iostream>
 #include <opencv2/core.hpp>
 
-#include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/camera_file.h"
+#include "monocular_eye_hand/io/grey_image.h"
+#include "monocular_eye_hand/io/image_files.h"
 #include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/options/image_files.h"
 #include "monocular_eye_hand/options/options.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/recognition/size_check.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "evaluation/pose_error.h"
-#include "monocular_eye_hand/evaluation/grey_image.h"
 #include "monocular_eye_hand/io/camera_file.h"
+#include "monocular_eye_hand/io/grey_image.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/recognition/recognizer.h"

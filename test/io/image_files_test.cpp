@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/options/image_files.h"
+#include "monocular_eye_hand/io/image_files.h"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,12 @@
-#include "monocular_eye_hand/evaluation/grey_image.h"
+#include "monocular_eye_hand/io/grey_image.h"
 
 #include <gmock/gmock.h>
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "small_dataset.h"
+#include "temp_folder.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,4 +1,4 @@
-#include "monocular_eye_hand/evaluation/grey_image.h"
+#include "monocular_eye_hand/io/grey_image.h"
 
 #include <algorithm>
 #include <fstream>
