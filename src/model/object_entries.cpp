@@ -1,135 +1,177 @@
 #include <sys/stat.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "model/read_handling.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/file_path.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/options/options.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-/// Reads one value into the option of this name; remembers whether there was one.
-class FillOption {
- public:
-  FillOption(std::string key, const YAML::Node& value, std::string where)
-      : key_(std::move(key)), value_(value), where_(std::move(where)) {}
+using Numbers = std::array<double, 3>;
 
-  template <class T>
-  void operator()(const char* name, T& field) {
-    known_ += std::string(", ") + name;
-    if (key_ != name) return;
-    found_ = true;
-    try {
-      field = value_.as<T>();
-    } catch (const YAML::Exception&) {
-      throw BadInput(where_ + ": the value of \"" + key_ +
-                     "\" is not of the right kind (number or true/false)");
-    }
+/// A grasp as it is written; the object's frame.
+struct GraspKeys {
+  Numbers xyz{std::numeric_limits<double>::quiet_NaN(), 0, 0};  // [m]; not a number: not given
+  Numbers rpy{};                                                // about the fixed axes x, y, z, as in URDF
+  double width = 0;                                             // [m]
+  int turns = 1;
+  Numbers axis{0, 0, 1}, point{};
+
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("xyz", xyz);
+    v("rpy", rpy);
+    v("width", width);
+    v("turns", turns);
+    v("axis", axis);
+    v("point", point);
   }
-  bool found() const { return found_; }
-  const std::string& known() const { return known_; }
 
- private:
-  std::string key_;
-  const YAML::Node& value_;
-  std::string where_, known_;
-  bool found_ = false;
+  void check() const {
+    if (std::isnan(xyz[0])) throw BadInput("the key \"xyz\" is missing");
+    if (!(width > 0)) throw BadInput("width = " + std::to_string(width) + " must be above 0 [m]");
+    if (turns < 1 || turns > 360) throw BadInput("turns = " + std::to_string(turns) + " must be 1 to 360");
+    if (Eigen::Vector3d(axis.data()).norm() < 1e-6) throw BadInput("axis must not be zero");
+  }
 };
 
-std::string text(const YAML::Node& value, const std::string& key, const std::string& where) {
-  if (!value.IsScalar() || value.Scalar().empty()) throw BadInput(where + ": \"" + key + "\" must be a text");
-  return value.Scalar();
-}
+/// An object as it is written: the model's options stand beside the other keys.
+struct ObjectKeys {
+  std::string name, mesh, unit = "mm";
+  ModelOptions options;
+  bool grasp = true, obstacle = false;
+  std::vector<GraspKeys> grasps;
 
-std::string meshPath(const std::string& yaml_path, const std::string& mesh, const std::string& where) {
-  const size_t slash = yaml_path.rfind('/');
-  try {
-    return resolvedPath(mesh, slash == std::string::npos ? "" : yaml_path.substr(0, slash));
-  } catch (const BadInput& e) {
-    throw BadInput(where + ": mesh " + e.what());
-  }
-}
-
-ObjectEntry readEntry(const YAML::Node& node, const std::string& yaml_path, const std::string& where) {
-  if (!node.IsMap()) throw BadInput(where + ": an object must be written {name: ..., mesh: ..., unit: mm}");
-  ObjectEntry entry;
-  for (const auto& pair : node) {
-    const std::string key = pair.first.Scalar();
-    const YAML::Node value = pair.second;
-    if (key == "name") {
-      entry.name = text(value, key, where);
-    } else if (key == "mesh") {
-      entry.mesh = meshPath(yaml_path, text(value, key, where), where);
-    } else if (key == "unit") {
-      entry.unit = text(value, key, where);
-    } else if (readHandling(key, value, where, &entry.handling)) {
-      continue;
-    } else {
-      FillOption fill(key, value, where);
-      entry.options.visit(fill);
-      if (!fill.found())
-        throw BadInput(where + ": unknown key \"" + key + "\"; known: name, mesh, unit" + fill.known() +
-                       ", grasp, obstacle, grasps");
-    }
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("name", name);
+    v("mesh", mesh);
+    v("unit", unit);
+    options.visit(v);
+    v("grasp", grasp);
+    v("obstacle", obstacle);
+    v("grasps", grasps);
   }
 
-  if (entry.name.empty()) throw BadInput(where + ": the key \"name\" is missing");
-  if (entry.mesh.empty()) throw BadInput(where + " (" + entry.name + "): the key \"mesh\" is missing");
+  void check() const {
+    if (name.empty()) throw BadInput("the key \"name\" is missing");
+    if (mesh.empty()) throw BadInput("the key \"mesh\" is missing");
+    metresPerUnit(unit);
+    options.check();
+    if ((obstacle || !grasp) && !grasps.empty())
+      throw BadInput(
+          "grasps are given for an object that must not be grasped; drop them, or obstacle / grasp");
+  }
+};
+
+GivenGrasp grasped(const GraspKeys& keys) {
+  GivenGrasp grasp;
+  grasp.object_from_tcp.translation = Eigen::Vector3d(keys.xyz.data());
+  grasp.object_from_tcp.rotation = (Eigen::AngleAxisd(keys.rpy[2], Eigen::Vector3d::UnitZ()) *
+                                    Eigen::AngleAxisd(keys.rpy[1], Eigen::Vector3d::UnitY()) *
+                                    Eigen::AngleAxisd(keys.rpy[0], Eigen::Vector3d::UnitX()))
+                                       .toRotationMatrix();
+  grasp.width = keys.width;
+  grasp.turns = keys.turns;
+  grasp.axis.point = Eigen::Vector3d(keys.point.data());
+  grasp.axis.direction = Eigen::Vector3d(keys.axis.data()).normalized();
+  return grasp;
+}
+
+Handling handlingOf(const ObjectKeys& keys) {
+  Handling handling;
+  handling.obstacle = keys.obstacle;
+  handling.grasp = keys.grasp && !keys.obstacle;
+  for (const GraspKeys& grasp : keys.grasps) handling.grasps.push_back(grasped(grasp));
+  return handling;
+}
+
+bool exists(const std::string& path) {
   struct stat info;
-  if (stat(entry.mesh.c_str(), &info) != 0) {
-    throw BadInput(where + " (" + entry.name + "): there is no file " + entry.mesh +
-                   "; meshes are looked up from the folder of the YAML file");
-  }
+  return stat(path.c_str(), &info) == 0;
+}
 
+std::string meshPath(const std::string& mesh, const std::string& folder) {
+  std::string path;
   try {
-    metresPerUnit(entry.unit);
-    entry.options.check();
-    finishHandling(&entry.handling);
+    path = resolvedPath(mesh, folder);
   } catch (const BadInput& e) {
-    throw BadInput(where + " (" + entry.name + "): " + e.what());
+    throw BadInput(std::string("mesh ") + e.what());
   }
-  return entry;
+  if (!exists(path))
+    throw BadInput("there is no file " + path + "; meshes are looked up from the folder of the YAML file");
+  return path;
+}
+
+ObjectEntry readEntry(const OptionTree& tree, const std::string& folder) {
+  if (tree.kind != OptionTree::Kind::kMap)
+    throw BadInput("an object must be written {name: ..., mesh: ..., unit: mm}");
+  const OptionTree* grasps = tree.find("grasps");
+  if (grasps && grasps->list.empty() && grasps->kind == OptionTree::Kind::kList)
+    throw BadInput(
+        "'grasps' must be a list with at least one grasp; without the key grasps are sampled from the mesh");
+
+  ObjectKeys keys;
+  readOptions(tree, &keys);
+  return {keys.name, meshPath(keys.mesh, folder), keys.unit, keys.options, handlingOf(keys)};
+}
+
+/// "object 2 (bridge)".
+std::string placeOf(size_t index, const OptionTree& tree) {
+  const OptionTree* name = tree.find("name");
+  const bool named = name && name->kind == OptionTree::Kind::kScalar && !name->scalar.empty();
+  return "object " + std::to_string(index + 1) + (named ? " (" + name->scalar + ")" : "");
+}
+
+/// The list of objects that the file holds.
+const std::vector<OptionTree>& objectList(const OptionTree& root) {
+  if (root.kind != OptionTree::Kind::kMap)
+    throw BadInput("the file must hold the key \"objects\" with a list");
+  options_detail::requireKnown(root, "", {"objects"});
+  const OptionTree* objects = root.find("objects");
+  if (!objects || objects->list.empty())
+    throw BadInput("\"objects\" must be a list with at least one object");
+  return objects->list;
+}
+
+std::vector<ObjectEntry> readList(const std::vector<OptionTree>& list, const std::string& folder) {
+  std::vector<ObjectEntry> entries;
+  for (size_t k = 0; k < list.size(); ++k) {
+    try {
+      entries.push_back(readEntry(list[k], folder));
+    } catch (const BadInput& e) {
+      throw BadInput(placeOf(k, list[k]) + ": " + e.what());
+    }
+
+    const bool twice = std::any_of(entries.begin(), entries.end() - 1,
+                                   [&](const ObjectEntry& e) { return e.name == entries.back().name; });
+    if (twice)
+      throw BadInput("object " + std::to_string(k + 1) + ": the name \"" + entries.back().name +
+                     "\" is used twice");
+  }
+  return entries;
 }
 
 }  // namespace
 
 std::vector<ObjectEntry> readObjectEntries(const std::string& name) {
   const std::string yaml_path = resolvedPath(name);
-  struct stat info;
-  if (stat(yaml_path.c_str(), &info) != 0)
-    throw BadInput(yaml_path + ": there is no such file; check the path");
+  if (!exists(yaml_path)) throw BadInput(yaml_path + ": there is no such file; check the path");
+  const size_t slash = yaml_path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : yaml_path.substr(0, slash);
 
-  YAML::Node root;
+  const OptionTree root = loadYaml(yaml_path);
   try {
-    root = YAML::LoadFile(yaml_path);
-  } catch (const YAML::Exception& e) {
+    return readList(objectList(root), folder);
+  } catch (const BadInput& e) {
     throw BadInput(yaml_path + ": " + e.what());
   }
-
-  if (!root.IsMap()) throw BadInput(yaml_path + ": the file must hold the key \"objects\" with a list");
-  for (const auto& pair : root) {
-    if (pair.first.Scalar() != "objects") {
-      throw BadInput(yaml_path + ": unknown key \"" + pair.first.Scalar() + "\"; known: objects");
-    }
-  }
-  const YAML::Node list = root["objects"];
-  if (!list || !list.IsSequence() || list.size() == 0) {
-    throw BadInput(yaml_path + ": \"objects\" must be a list with at least one object");
-  }
-
-  std::vector<ObjectEntry> entries;
-  for (size_t k = 0; k < list.size(); ++k) {
-    const std::string where = yaml_path + ", object " + std::to_string(k + 1);
-    entries.push_back(readEntry(list[k], yaml_path, where));
-    const bool twice = std::any_of(entries.begin(), entries.end() - 1,
-                                   [&](const ObjectEntry& e) { return e.name == entries.back().name; });
-    if (twice) throw BadInput(where + ": the name \"" + entries.back().name + "\" is used twice");
-  }
-  return entries;
 }
 
 }  // namespace monocular_eye_hand

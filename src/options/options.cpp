@@ -50,9 +50,9 @@ size_t editDistance(const std::string& a, const std::string& b) {
 
 void read(const OptionTree& tree, const std::string& key, bool& field) {
   const std::string& text = requireScalar(tree, key, "true or false");
-  for (const char* yes : {"true", "True", "TRUE", "yes", "on", "1"})
+  for (const char* yes : {"true", "True", "TRUE", "yes", "Yes", "YES", "y", "Y", "on", "On", "ON", "1"})
     if (text == yes) return void(field = true);
-  for (const char* no : {"false", "False", "FALSE", "no", "off", "0"})
+  for (const char* no : {"false", "False", "FALSE", "no", "No", "NO", "n", "N", "off", "Off", "OFF", "0"})
     if (text == no) return void(field = false);
   wrongType(tree, key, "true or false");
 }

@@ -58,7 +58,8 @@ TEST(Handling, GivenGraspsAreRead) {
 }
 
 TEST(Handling, AnObstacleIsNeverGrasped) {
-  EXPECT_FALSE(entries(", obstacle: true").at(0).handling.grasp);
+  for (const char* yes : {"true", "Yes", "on"})
+    EXPECT_FALSE(entries(std::string(", obstacle: ") + yes).at(0).handling.grasp) << yes;
   const auto shipped = readObjectEntries(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/objects.yaml");
   for (const ObjectEntry& entry : shipped) {
     EXPECT_EQ(entry.handling.obstacle, entry.name == "frame") << entry.name;
@@ -74,20 +75,22 @@ TEST(Handling, ItReachesTheModelBase) {
 }
 
 TEST(Handling, MistakesAreNamed) {
-  EXPECT_THAT(failure(", grasp: maybe"), HasSubstr("\"grasp\" must be true or false"));
+  EXPECT_THAT(failure(", grasp: maybe"), HasSubstr("'grasp' is 'maybe'; true or false is expected"));
   EXPECT_THAT(failure(", grasps: []"), HasSubstr("at least one"));
-  EXPECT_THAT(failure(", grasps: [3]"), HasSubstr("grasps[0] must be written"));
+  EXPECT_THAT(failure(", grasps: [3]"), HasSubstr("'grasps[0]' is '3'; a map is expected"));
   EXPECT_THAT(failure(", grasps: [{width: 0.1}]"), HasSubstr("\"xyz\" is missing"));
   EXPECT_THAT(failure(", grasps: [{xyz: [0, 0], width: 0.1}]"),
-              HasSubstr("grasps[0].xyz must be a list of 3"));
+              HasSubstr("'grasps[0].xyz' is a list of 2; a list of 3 is expected"));
   EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, .nan], width: 0.1}]"), HasSubstr("finite"));
   EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0]}]"), HasSubstr("width = 0.0"));
   EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], width: 0.1, turns: 0}]"), HasSubstr("turns = 0"));
   EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], width: 0.1, axis: [0, 0, 0]}]"), HasSubstr("axis"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], wide: 0.1}]"), HasSubstr("unknown key \"wide\""));
+  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], wide: 0.1}]"),
+              HasSubstr("unknown key 'grasps[0].wide'; did you mean 'grasps[0].width'?"));
   EXPECT_THAT(failure(", obstacle: true, grasps: [{xyz: [0, 0, 0], width: 0.1}]"),
               HasSubstr("must not be grasped"));
-  EXPECT_THAT(failure(", graps: true"), HasSubstr("grasp, obstacle, grasps"));
+  EXPECT_THAT(failure(", graps: true"),
+              HasSubstr("object 1 (a): unknown key 'graps'; did you mean 'grasps'?"));
 }
 
 }  // namespace

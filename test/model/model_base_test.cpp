@@ -335,7 +335,7 @@ TEST(ObjectEntries, MeshPathsMayNamePackagesUrlsAndVariables) {
 TEST(ObjectEntries, MistakesAreNamed) {
   EXPECT_THROW(readObjectEntries("/no/such/objects.yaml"), BadInput);
   EXPECT_THAT(failure("objects: [{name: a"), HasSubstr("objects.yaml"));
-  EXPECT_THAT(failure("object: []"), HasSubstr("unknown key \"object\"; known: objects"));
+  EXPECT_THAT(failure("object: []"), HasSubstr("unknown key 'object'; did you mean 'objects'?"));
   EXPECT_THAT(failure("objects: []"), HasSubstr("at least one"));
   EXPECT_THAT(failure("just text"), HasSubstr("objects"));
   EXPECT_THAT(failure("objects: [3]"), HasSubstr("name"));
@@ -343,7 +343,7 @@ TEST(ObjectEntries, MistakesAreNamed) {
   EXPECT_THAT(failure("objects: [{name: a}]"), HasSubstr("\"mesh\" is missing"));
   EXPECT_THAT(failure("objects: [{name: a, mesh: none.stl}]"), HasSubstr("none.stl"));
   EXPECT_THAT(failure("objects: [{name: a, mesh: part.ply, units: mm}]"),
-              HasSubstr("unknown key \"units\"; known: name, mesh, unit, sharp_angle"));
+              HasSubstr("objects.yaml: object 1 (a): unknown key 'units'; did you mean 'unit'?"));
   EXPECT_THAT(failure("objects: [{name: a, mesh: part.ply, unit: ell}]"),
               HasSubstr("known: m, cm, mm, inch"));
   EXPECT_THAT(failure("objects: [{name: a, mesh: part.ply, sharp_angle: wide}]"), HasSubstr("sharp_angle"));
