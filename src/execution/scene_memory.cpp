@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/model_base.h"
 
 namespace monocular_eye_hand {
@@ -28,12 +26,8 @@ CollisionWorld fixedWorld(const ArmDescription& arm, const ExecutorOptions& opti
 
 SceneMemory::SceneMemory(const ArmDescription& arm, const ExecutorOptions& options)
     : bare_(fixedWorld(arm, options)) {
-  for (const ObjectEntry& entry : readObjectEntries(options.objects)) {
-    ModelOptions welded = entry.options;
-    welded.find_symmetries = false;
-    meshes_.emplace(entry.name,
-                    shapeOf(buildModel(entry.name, loadMesh(entry.mesh, entry.unit), welded).mesh));
-  }
+  for (KnownObject& object : loadModels(options.objects, ModelDepth::kMesh).objects)
+    meshes_.emplace(object.model.name, shapeOf(std::move(object.model.mesh)));
 }
 
 SceneMemory::Shape SceneMemory::shapeOf(Mesh mesh) {

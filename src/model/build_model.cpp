@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "model/build_steps.h"
 #include "model/contour_index.h"
@@ -11,7 +12,6 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/plain_number.h"
 #include "monocular_eye_hand/mesh/ray_scene.h"
-#include "monocular_eye_hand/mesh/repair_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
 
 namespace monocular_eye_hand {
@@ -107,16 +107,23 @@ std::string turnText(const Rigid3& motion) {
          ", " + number(turn.axis().y(), "%.3g") + ", " + number(turn.axis().z(), "%.3g") + ")";
 }
 
-ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOptions& options) {
+RepairedModel repairedModel(const std::string& name, const Mesh& mesh, const ModelOptions& options) {
   options.check();
-  ObjectModel model;
+  RepairedModel out;
+  out.found = repairMesh(name, mesh, options.weld_tolerance);
+  ObjectModel& model = out.model;
   model.name = name;
-
-  RepairedMesh repaired = repairMesh(name, mesh, options.weld_tolerance);
-  model.mesh = std::move(repaired.mesh);
+  model.mesh = std::move(out.found.mesh);
   for (const Eigen::Vector3d& v : model.mesh.vertices) model.bounds.extend(v);
   model.diameter = meshDiameter(model.mesh.vertices);
-  model.closed = repaired.closed;
+  model.closed = out.found.closed;
+  return out;
+}
+
+ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOptions& options) {
+  RepairedModel start = repairedModel(name, mesh, options);
+  const RepairedMesh& repaired = start.found;
+  ObjectModel model = std::move(start.model);
 
   const Topology topology = buildTopology(model.mesh);
   refuseScan(name, topology, options.sharp_angle);

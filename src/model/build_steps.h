@@ -1,11 +1,18 @@
 #pragma once
 #include "model/symmetry.h"
+#include "monocular_eye_hand/mesh/repair_mesh.h"
 #include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
 
 // buildModel in steps, so that the slow one can come from the cache.
 
+/// A model of which only the mesh and its size are known.
+struct RepairedModel {
+  ObjectModel model;
+  RepairedMesh found;  ///< its mesh stands in the model
+};
+RepairedModel repairedModel(const std::string& name, const Mesh& mesh, const ModelOptions& options);
 /// Everything but the symmetries.
 ObjectModel buildShape(const std::string& name, const Mesh& mesh, const ModelOptions& options);
 SymmetryResult symmetriesOf(const ObjectModel& model, const ModelOptions& options);

@@ -50,9 +50,9 @@ struct Cache {
   bool failed = false;  // something could not be written
 };
 
-/// Symmetries and views, the slow part, from the cache or made anew. Enters the symmetries, which the views
-/// depend on, into the model.
-ViewSphere compiledViews(const ObjectEntry& entry, const ViewOptions& views, Cache* cache,
+/// Symmetries and views, the slow part, from the cache or made anew; the views, where they are wanted. Enters
+/// the symmetries, which the views depend on, into the model.
+ViewSphere compiledViews(const ObjectEntry& entry, ModelDepth depth, const ViewOptions& views, Cache* cache,
                          const CompileProgress& tell, ObjectModel* model) {
   CompiledParts parts;
   const std::string& folder = cache->folder;
@@ -63,6 +63,7 @@ ViewSphere compiledViews(const ObjectEntry& entry, const ViewOptions& views, Cac
     parts.symmetries = symmetriesOf(*model, entry.options);
   }
   setSymmetries(parts.symmetries, model);
+  if (depth < ModelDepth::kViews) return {};
   if (cached) return std::move(parts.views);
 
   tell("looking from all sides");
@@ -71,21 +72,27 @@ ViewSphere compiledViews(const ObjectEntry& entry, const ViewOptions& views, Cac
   return std::move(parts.views);
 }
 
-KnownObject compile(const ObjectEntry& entry, const ViewOptions& views, Cache* cache,
+KnownObject compile(const ObjectEntry& entry, ModelDepth depth, const ViewOptions& views, Cache* cache,
                     const CompileProgress& progress) {
   LoadedMesh loaded = readMesh(entry.mesh, entry.unit);
+  KnownObject object;
+  object.handling = entry.handling;
+  if (depth == ModelDepth::kMesh) {
+    object.model = repairedModel(entry.name, loaded.mesh, entry.options).model;
+    object.model.warnings = std::move(loaded.warnings);
+    return object;
+  }
+
   const size_t triangles = loaded.mesh.triangles.size();
   const auto tell = [&](const std::string& step) {
     if (progress) progress(entry.name + " (" + std::to_string(triangles) + " triangles): " + step);
   };
   if (triangles > kManyTriangles) tell("looking for edges");
-  KnownObject object;
   object.model = buildShape(entry.name, loaded.mesh, entry.options);
   std::vector<std::string>& warnings = object.model.warnings;
   warnings.insert(warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
 
-  object.views = compiledViews(entry, views, cache, tell, &object.model);
-  object.handling = entry.handling;
+  object.views = compiledViews(entry, depth, views, cache, tell, &object.model);
   return object;
 }
 
@@ -104,27 +111,37 @@ std::string ModelBase::names() const {
   return out;
 }
 
-ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views,
-                           const std::string& cache_dir, const CompileProgress& progress) {
+ModelBase compileModels(const std::vector<ObjectEntry>& entries, ModelDepth depth, const ViewOptions& views,
+                        const std::string& cache_dir, const CompileProgress& progress) {
   views.check();
   Cache cache{cacheFolder(cache_dir)};
   ModelBase base;
   for (const ObjectEntry& entry : entries) {
     if (base.indexOf(entry.name) >= 0) throw BadInput("the object name \"" + entry.name + "\" is used twice");
-    base.objects.push_back(compile(entry, views, &cache, progress));
+    base.objects.push_back(compile(entry, depth, views, &cache, progress));
   }
   if (cache.failed && progress)
     progress(
         "the cache of compiled models, " + cache.folder +
         ", cannot be written: they are compiled at every start. Make the folder writable, or name another "
         "one (the parameter cache of the nodes, XDG_CACHE_HOME)");
-  warnAboutLookAlikes(&base);
+  if (depth > ModelDepth::kMesh) warnAboutLookAlikes(&base);
   return base;
+}
+
+ModelBase loadModels(const std::string& yaml_path, ModelDepth depth, const ViewOptions& views,
+                     const std::string& cache_dir, const CompileProgress& progress) {
+  return compileModels(readObjectEntries(yaml_path), depth, views, cache_dir, progress);
+}
+
+ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views,
+                           const std::string& cache_dir, const CompileProgress& progress) {
+  return compileModels(entries, ModelDepth::kViews, views, cache_dir, progress);
 }
 
 ModelBase loadModelBase(const std::string& yaml_path, const ViewOptions& views, const std::string& cache_dir,
                         const CompileProgress& progress) {
-  return compileModelBase(readObjectEntries(yaml_path), views, cache_dir, progress);
+  return loadModels(yaml_path, ModelDepth::kViews, views, cache_dir, progress);
 }
 
 }  // namespace monocular_eye_hand

@@ -7,7 +7,6 @@
 #include "monocular_eye_hand/evaluation/write_dataset.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/simulation/random_picture.h"
 #include "monocular_eye_hand/simulation/render.h"
@@ -27,15 +26,13 @@ unsigned firstSeed(const BopRequest& request) {
 }
 
 std::vector<BopPart> buildParts(const std::string& yaml) {
-  const std::vector<ObjectEntry> entries = readObjectEntries(yaml);
+  ModelBase models = loadModels(yaml, ModelDepth::kShape);
   std::vector<std::string> names;
-  for (const ObjectEntry& entry : entries) names.push_back(entry.name);
+  for (const KnownObject& object : models.objects) names.push_back(object.model.name);
   const std::vector<int> ids = bopIds(names);
 
   std::vector<BopPart> parts;
-  for (size_t k = 0; k < entries.size(); ++k)
-    parts.push_back({ids[k], buildModel(entries[k].name, loadMesh(entries[k].mesh, entries[k].unit),
-                                        entries[k].options)});
+  for (size_t k = 0; k < ids.size(); ++k) parts.push_back({ids[k], std::move(models.objects[k].model)});
   return parts;
 }
 

@@ -14,6 +14,7 @@
 
 #include "../mesh/shapes.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -101,6 +102,41 @@ TEST(ModelBase, ShippedBaseLoads) {
   EXPECT_EQ(base.indexOf("flange"), 3);
   EXPECT_EQ(base.indexOf("teapot"), -1);
   for (const KnownObject& o : base.objects) EXPECT_GT(o.views.views.size(), 0u);
+}
+
+TEST(ModelBase, EachDepthHoldsWhatTheDeeperOneHolds) {
+  Folder folder;
+  std::vector<std::string> told;
+  const auto tell = [&](const std::string& text) { told.push_back(text); };
+  const auto compiled = [&](ModelDepth depth) {
+    return compileModels({entry("flange")}, depth, {}, folder.path, tell).objects.at(0);
+  };
+  const KnownObject mesh = compiled(ModelDepth::kMesh);
+  EXPECT_TRUE(told.empty());
+  EXPECT_TRUE(mesh.model.edges.empty());
+  const KnownObject full = compiled(ModelDepth::kViews);
+  told.clear();
+  const KnownObject shape = compiled(ModelDepth::kShape);
+  EXPECT_TRUE(told.empty()) << "the symmetries come from the cache";
+  EXPECT_TRUE(shape.views.views.empty());
+
+  EXPECT_EQ(mesh.model.mesh.vertices, full.model.mesh.vertices);
+  EXPECT_EQ(mesh.model.mesh.triangles, full.model.mesh.triangles);
+  EXPECT_EQ(mesh.model.diameter, full.model.diameter);
+  EXPECT_EQ(mesh.model.closed, full.model.closed);
+  EXPECT_EQ(shape.model.edges.size(), full.model.edges.size());
+  ASSERT_EQ(shape.model.symmetries.discrete.size(), full.model.symmetries.discrete.size());
+  for (size_t k = 0; k < full.model.symmetries.discrete.size(); ++k)
+    EXPECT_EQ(shape.model.symmetries.discrete[k].rotation, full.model.symmetries.discrete[k].rotation);
+}
+
+TEST(ModelBase, ShapesWithoutACacheAreTheSame) {
+  const ObjectModel built = buildModel("flange", loadMesh(shippedModel("flange"), "mm"));
+  const ObjectModel loaded =
+      compileModels({entry("flange")}, ModelDepth::kShape, {}, "none").objects.at(0).model;
+  EXPECT_EQ(loaded.mesh.vertices, built.mesh.vertices);
+  EXPECT_EQ(loaded.edges.size(), built.edges.size());
+  EXPECT_EQ(loaded.symmetries.discrete.size(), built.symmetries.discrete.size());
 }
 
 TEST(ModelBase, ProgressIsTold) {
