@@ -1,0 +1,130 @@
+#include "nodes/work_cell/node.h"
+
+#include <ros/callback_queue.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "monocular_eye_hand/geometry/error.h"
+#include "nodes/common/names.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+constexpr double kFirstTime = 1;  // cell time of the first message [s]: to ROS, time 0 means "not known yet"
+
+int64_t nanoseconds(double seconds) { return int64_t(std::llround(seconds * 1e9)); }
+
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+WorkCellNode::Instants::Instants(double rate)
+    : period_(nanoseconds(1 / rate)), next_(nanoseconds(kFirstTime)) {}
+
+bool WorkCellNode::Instants::pass(int64_t now) {
+  if (now < next_) return false;
+  next_ += period_;
+  return true;
+}
+
+WorkCellNode::WorkCellNode(WorkCell cell, const WorkCellParameters& parameters)
+    : images_in_motion_(parameters.images_in_motion),
+      cell_(std::move(cell)),
+      outputs_(cell_, parameters.camera_threads),
+      pace_(parameters.real_time_factor),
+      joint_instants_(parameters.joint_rate),
+      camera_instants_(parameters.camera_rate),
+      truth_instants_(parameters.truth_rate) {
+  cell_.advance(kFirstTime);
+  trajectory_subscriber_ = node_.subscribe(names::kArmCommand, 10, &WorkCellNode::onTrajectory, this);
+  width_subscriber_ = node_.subscribe(names::kGripperCommand, 10, &WorkCellNode::onWidth, this);
+  take_away_subscriber_ =
+      ros::NodeHandle("~").subscribe(names::kTakeAway, 10, &WorkCellNode::onTakeAway, this);
+}
+
+int64_t WorkCellNode::now() const { return nanoseconds(cell_.time()); }
+
+int64_t WorkCellNode::nextInstant() const {
+  int64_t next = std::min({joint_instants_.next(), camera_instants_.next(), truth_instants_.next()});
+  if (waiting_) next = std::min(next, nanoseconds(waiting_->start));
+  return std::max(next, now());
+}
+
+bool WorkCellNode::driven() const { return cell_.armMoving() || cell_.gripperMoving(); }
+
+bool WorkCellNode::moving() const {
+  if (driven()) return true;
+  const std::vector<CellTruth> objects = cell_.truth();
+  return std::any_of(objects.begin(), objects.end(), [](const CellTruth& object) { return object.falling; });
+}
+
+void WorkCellNode::takeCommands() {
+  double wait = 1;
+  while (ros::ok() && wait > 0) {
+    // While only parts fall the next command may be on its way: it must not come seconds of the cell too
+    // late.
+    wait = pace_.wait(double(nextInstant()) * 1e-9, steadySeconds(), driven());
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait));  // back at the first command
+  }
+}
+
+void WorkCellNode::startWaiting() {
+  if (!waiting_ || nanoseconds(waiting_->start) > now()) return;
+  cell_.commandArm(waiting_->path);
+  waiting_.reset();
+}
+
+void WorkCellNode::publishDue() {
+  const bool camera = camera_instants_.pass(now()), joints = joint_instants_.pass(now());
+  if (joints || camera) {  // the arm's pose at every exposure is known before its image
+    outputs_.joints();
+    outputs_.clock();
+  }
+  if (truth_instants_.pass(now()) || outputs_.newEvents()) outputs_.truth();
+  if (camera && (images_in_motion_ || !moving())) outputs_.camera();
+}
+
+void WorkCellNode::run() {
+  publishDue();
+  while (ros::ok()) {
+    takeCommands();
+    cell_.advance(double(nextInstant() - now()) * 1e-9);
+    startWaiting();
+    publishDue();
+  }
+}
+
+void WorkCellNode::onTrajectory(const trajectory_msgs::JointTrajectory& message) {
+  try {
+    const ArmCommand command = armCommand(message, cell_.time());
+    waiting_.reset();
+    if (command.start > cell_.time())
+      waiting_ = command;
+    else
+      cell_.commandArm(command.path);
+  } catch (const BadInput& e) {
+    ROS_ERROR("%s refused: %s", trajectory_subscriber_.getTopic().c_str(), e.what());
+  }
+}
+
+void WorkCellNode::onWidth(const std_msgs::Float64& message) {
+  try {
+    cell_.commandGripper(message.data);
+  } catch (const BadInput& e) {
+    ROS_ERROR("%s refused: %s", width_subscriber_.getTopic().c_str(), e.what());
+  }
+}
+
+void WorkCellNode::onTakeAway(const std_msgs::String& message) {
+  try {
+    cell_.takeAway(message.data);
+  } catch (const BadInput& e) {
+    ROS_ERROR("%s refused: %s", take_away_subscriber_.getTopic().c_str(), e.what());
+  }
+}
+
+}  // namespace monocular_eye_hand

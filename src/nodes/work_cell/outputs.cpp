@@ -1,0 +1,144 @@
+#include "nodes/work_cell/outputs.h"
+
+#include <cv_bridge/cv_bridge.h>
+#include <monocular_eye_hand/GripperState.h>
+#include <monocular_eye_hand/WorkCellTruth.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/JointState.h>
+#include <sensor_msgs/image_encodings.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "nodes/common/camera_info.h"
+#include "nodes/common/conversion.h"
+#include "nodes/common/names.h"
+
+namespace monocular_eye_hand {
+namespace {
+
+ros::Time stamp(double cell_time) {
+  ros::Time time;
+  return time.fromNSec(uint64_t(std::llround(cell_time * 1e9)));
+}
+
+/// Everything that the camera can see move.
+std::vector<double> visibleState(const WorkCell& cell) {
+  std::vector<double> state(cell.joints().data(), cell.joints().data() + 6);
+  state.push_back(cell.gripperWidth());
+  for (const SceneObject& object : cell.scene().scene.objects) {
+    const Rigid3& pose = object.world_from_object;
+    state.insert(state.end(), pose.rotation.data(), pose.rotation.data() + 9);
+    state.insert(state.end(), pose.translation.data(), pose.translation.data() + 3);
+  }
+  return state;
+}
+
+std::string textOf(const CellEvent& event) {
+  char time[32];
+  std::snprintf(time, sizeof time, "%.3f s: ", event.time);
+  std::string text = time + std::string(name(event.kind)) + ": " + event.first;
+  if (!event.second.empty())
+    text += (event.kind == CellEvent::Kind::kRested ? " on " : " with ") + event.second;
+  return event.text.empty() ? text : text + ", " + event.text;
+}
+
+void report(const CellEvent& event, const std::string& text) {
+  if (event.kind == CellEvent::Kind::kCollision || event.kind == CellEvent::Kind::kLimit)
+    ROS_WARN("%s", text.c_str());
+  else
+    ROS_INFO("%s", text.c_str());
+}
+
+}  // namespace
+
+WorkCellOutputs::WorkCellOutputs(const WorkCell& cell, int camera_threads)
+    : cell_(cell), camera_(cell, camera_threads), info_(toCameraInfo(camera_.camera())), private_node_("~") {
+  clock_publisher_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);
+  joint_publisher_ = node_.advertise<sensor_msgs::JointState>(names::kJointStates, 100);
+  gripper_publisher_ = node_.advertise<GripperState>(names::kGripperState, 100);
+  info_publisher_ = node_.advertise<sensor_msgs::CameraInfo>(names::kCellCameraInfo, 10);
+  truth_publisher_ = private_node_.advertise<WorkCellTruth>(names::kTruth, 100, true);
+  image_publisher_ = image_transport::ImageTransport(node_).advertise(names::kCellImage, 10);
+}
+
+std_msgs::Header WorkCellOutputs::header(const char* frame) const {
+  std_msgs::Header header;
+  header.stamp = stamp(cell_.time());
+  header.frame_id = frame;
+  return header;
+}
+
+void WorkCellOutputs::clock() {
+  rosgraph_msgs::Clock message;
+  message.clock = stamp(cell_.time());
+  clock_publisher_.publish(message);
+}
+
+void WorkCellOutputs::joints() {
+  sensor_msgs::JointState joints;
+  joints.header = header("");
+  for (int j = 0; j < 6; ++j) {
+    joints.name.push_back(names::kArmJoints[j]);
+    joints.position.push_back(cell_.joints()[j]);
+    joints.velocity.push_back(cell_.velocities()[j]);
+  }
+  for (const char* finger : names::kFingerJoints) {
+    joints.name.push_back(finger);
+    joints.position.push_back(cell_.gripperWidth() / 2);
+    joints.velocity.push_back(cell_.gripperVelocity() / 2);
+  }
+  joint_publisher_.publish(joints);
+
+  GripperState gripper;
+  gripper.header = header("");
+  gripper.width = cell_.gripperWidth();
+  gripper.moving = cell_.gripperMoving();
+  gripper.stalled = cell_.gripperStalled();
+  gripper_publisher_.publish(gripper);
+}
+
+const cv::Mat& WorkCellOutputs::picture() {
+  std::vector<double> state = visibleState(cell_);
+  if (picture_.empty() || state != seen_) {
+    picture_ = camera_.capture(cell_).grey;
+    seen_ = std::move(state);
+  }
+  return picture_;
+}
+
+void WorkCellOutputs::camera() {
+  info_.header = header(names::kCameraFrame);
+  info_publisher_.publish(info_);
+  if (image_publisher_.getNumSubscribers() == 0) return;
+  image_publisher_.publish(
+      cv_bridge::CvImage(info_.header, sensor_msgs::image_encodings::MONO8, picture()).toImageMsg());
+}
+
+void WorkCellOutputs::truth() {
+  WorkCellTruth message;
+  message.header = header(names::kBaseFrame);
+
+  const std::vector<CellTruth> objects = cell_.truth();
+  for (size_t k = 0; k < objects.size(); ++k) {
+    if (objects[k].taken_away) continue;
+    WorkCellObject object;
+    object.label = objects[k].label;
+    object.name = objects[k].name;
+    object.pose = toPose(objects[k].base_from_object);
+    object.held = objects[k].held;
+    object.falling = objects[k].falling;
+    object.in_drop_zone = cell_.inDropZone(int(k));
+    message.objects.push_back(object);
+  }
+
+  message.collisions = cell_.collisions();
+  for (; told_events_ < cell_.events().size(); ++told_events_) {
+    const CellEvent& event = cell_.events()[told_events_];
+    message.events.push_back(textOf(event));
+    report(event, message.events.back());
+  }
+  truth_publisher_.publish(message);
+}
+
+}  // namespace monocular_eye_hand
