@@ -27,7 +27,7 @@ struct EyeHandParameters {
   double max_tf_turn = 0.01;       ///< ... and [rad]: beyond, one of the two is wrong
   int max_waiting = 10;            ///< views that wait for tf; when one more comes the oldest is refused
   bool table = true;               ///< everything stands above table_height, and the hand keeps above it
-  double table_height = 0;         ///< z of the table's top in table_frame [m]
+  double table_height = 0.3;       ///< z of the table's top in table_frame [m]
   std::string table_frame;         ///< level frame of the table in tf; "": base_frame
   std::vector<CellBox> boxes;      ///< whatever else stands in the cell: nothing reaches into it
   double held_width = 0.002;       ///< between the pads of a stalled gripper: beyond, it holds something [m]
