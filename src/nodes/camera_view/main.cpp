@@ -3,16 +3,14 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include "nodes/camera_view/parameters.h"
-#include "nodes/common/command_line.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/names.h"
-#include "nodes/common/node_watch.h"
-#include "nodes/common/parameter_server.h"
+#include "nodes/common/run_node.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kTellAgain = 10.0;  // while no image comes [s, wall clock]
+constexpr double kWarnAgain = 10.0;  // while no image comes [s, wall clock]
 
 /// A frame beside the camera's optical frame with z up, so that rviz's grid and orbit stand upright. The
 /// optical frame is that of the first image.
@@ -25,8 +23,8 @@ class CameraView {
     }
     image_ = transport_.subscribe(names::kImageRaw, 1, &CameraView::onImage, this,
                                   image_transport::TransportHints(parameters_.image_transport));
-    timer_ = node_.createWallTimer(ros::WallDuration(kTellAgain),
-                                   [this](const ros::WallTimerEvent&) { tellSilence(); });
+    timer_ = node_.createWallTimer(ros::WallDuration(kWarnAgain),
+                                   [this](const ros::WallTimerEvent&) { warnOfMissingImages(); });
   }
 
  private:
@@ -34,7 +32,7 @@ class CameraView {
     const std::string frame = withoutSlash(image->header.frame_id);
     if (frame.empty()) {
       ROS_WARN_THROTTLE(
-          kTellAgain,
+          kWarnAgain,
           "the images on %s name no frame (header.frame_id is empty): set it in the camera's driver, or give "
           "camera_frame:=FRAME",
           image_.getTopic().c_str());
@@ -45,7 +43,7 @@ class CameraView {
     image_.shutdown();
   }
 
-  void tellSilence() {
+  void warnOfMissingImages() {
     const std::string reason =
         image_.getNumPublishers() == 0 ? "nobody publishes it" : "it has a publisher, which sends nothing";
     ROS_WARN(
@@ -80,31 +78,20 @@ class CameraView {
 namespace meh = monocular_eye_hand;
 
 int main(int argc, char** argv) {
-  const meh::NodeHelp help{"camera_view",
-                           "a tf frame with z up beside a camera's optical frame, for rviz",
-                           "image_raw, until the first image",
-                           "/tf_static",
-                           "",
-                           "rviz.launch",
-                           ""};
-  int exit_code = 0;
-  if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::CameraViewParameters()), &exit_code))
-    return exit_code;
+  meh::NodeSetup setup;
+  setup.help = {"camera_view",
+                "a tf frame with z up beside a camera's optical frame, for rviz",
+                "image_raw, until the first image",
+                "/tf_static",
+                "",
+                "rviz.launch",
+                ""};
+  return meh::runNode<meh::CameraViewParameters>(
+      argc, argv, setup, [](meh::CameraViewParameters& parameters, const meh::NodeWatch&) {
+        for (std::string* frame : {&parameters.camera_frame, &parameters.view_frame})
+          *frame = meh::withoutSlash(*frame);
 
-  ros::init(argc, argv, "camera_view");
-  ros::NodeHandle node;  // keeps the node up
-  const meh::NodeWatch watch;
-  try {
-    meh::CameraViewParameters parameters;
-    meh::readOptions(meh::privateParameters({}), &parameters);
-    for (std::string* frame : {&parameters.camera_frame, &parameters.view_frame})
-      *frame = meh::withoutSlash(*frame);
-
-    const meh::CameraView view(parameters);
-    ros::spin();
-    return 0;
-  } catch (const std::exception& e) {
-    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
-  }
-  return 1;
+        const meh::CameraView view(parameters);
+        ros::spin();
+      });
 }

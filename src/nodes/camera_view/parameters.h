@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 
@@ -12,9 +12,8 @@ struct CameraViewParameters {
   std::string image_transport = "raw";     ///< transport of the image subscription
 
   void check() const {
-    if (view_frame.empty()) throw BadInput("view_frame is empty: name the frame");
-    if (image_transport.empty())
-      throw BadInput("image_transport is empty: say raw, or one that is installed");
+    requireGiven("view_frame", view_frame, "the name of the frame with z up");
+    requireGiven("image_transport", image_transport, "raw, or a transport that is installed");
   }
   template <class Visitor>
   void visit(Visitor&& v) {

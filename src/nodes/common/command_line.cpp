@@ -47,21 +47,21 @@ std::string helpText(const NodeHelp& help, const OptionTree& parameters) {
   return text + indented(toYaml(parameters));
 }
 
-bool endsAtCommandLine(int argc, char** argv, const NodeHelp& help, const OptionTree& parameters,
-                       int* exit_code) {
+std::optional<int> exitAtCommandLine(int argc, char** argv, const NodeHelp& help,
+                                     const OptionTree& parameters) {
   std::vector<std::string> arguments;
   ros::removeROSArgs(argc, argv, arguments);
-  if (arguments.size() < 2) return false;
+  if (arguments.size() < 2) return std::nullopt;
+
   const std::string& first = arguments[1];
   if (first == "--help" || first == "-h") {
     std::cout << helpText(help, parameters);
-    *exit_code = 0;
-    return true;
+    return 0;
   }
+
   std::cerr << help.name << ": '" << first
             << "' is no argument of a node: parameters are given as _NAME:=VALUE; --help lists them\n";
-  *exit_code = 1;
-  return true;
+  return 1;
 }
 
 std::string pathParameter(const std::string& parameter, const std::string& path) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "monocular_eye_hand/options/options.h"
@@ -16,10 +17,10 @@ struct NodeHelp {
 /// The text of --help; `parameters`: the node's, with their defaults.
 std::string helpText(const NodeHelp& help, const OptionTree& parameters);
 
-/// For the first line of main: true when the program is to end with *exit_code, after --help (0), or after an
-/// argument that is none of ROS (1); the text was printed.
-bool endsAtCommandLine(int argc, char** argv, const NodeHelp& help, const OptionTree& parameters,
-                       int* exit_code);
+/// For the first line of main: the code with which the program is to end after --help (0), or after an
+/// argument that is none of ROS (1); the text was printed. None: it goes on.
+std::optional<int> exitAtCommandLine(int argc, char** argv, const NodeHelp& help,
+                                     const OptionTree& parameters);
 
 /// The path that a parameter means. Nodes of a launch file run in a folder of ROS; the shell's own one is
 /// still in $PWD, so a relative path that is not found here is looked for there. URLs, ~ and $VARIABLE are

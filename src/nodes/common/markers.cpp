@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "monocular_eye_hand/drawing/canvas.h"
+#include "monocular_eye_hand/model/wireframe.h"
 #include "nodes/common/conversion.h"
 
 namespace monocular_eye_hand {
@@ -13,20 +13,10 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kArcStep = 0.15;        // of a circle's chords [rad]
 constexpr double kLineShare = 0.01;      // width of lines, as a share of the object's diameter
 constexpr double kThinnestLine = 0.001;  // [m]
 constexpr double kAxisShare = 0.5;       // length of the axes, as a share of the object's diameter
 constexpr double kViewLine = 0.002;      // [m]
-
-std_msgs::ColorRGBA toColour(double r, double g, double b) {
-  std_msgs::ColorRGBA colour;
-  colour.r = float(r);
-  colour.g = float(g);
-  colour.b = float(b);
-  colour.a = 1;
-  return colour;
-}
 
 std_msgs::ColorRGBA objectColour(int object) {
   const Colour bgr = paletteColour(object);
@@ -44,47 +34,9 @@ std::string labelText(const ObjectEstimate& object, int instance) {
   return object.decision == Decision::kAmbiguous ? text + " ambiguous" : text;
 }
 
-Marker lineList(double width) {
-  Marker marker;
-  marker.type = Marker::LINE_LIST;
-  marker.pose.orientation.w = 1;
-  marker.scale.x = width;
-  return marker;
-}
-
-void addLine(const Eigen::Vector3d& p, const Eigen::Vector3d& q, Marker* marker) {
-  marker->points.push_back(toPoint(p));
-  marker->points.push_back(toPoint(q));
-}
-
-void addArc(const ModelCircle& circle, Marker* marker) {
-  const Eigen::Vector3d y_axis = circle.axis.cross(circle.x_axis);
-  const auto at = [&](double angle) {
-    return Eigen::Vector3d(circle.centre +
-                           circle.radius * (std::cos(angle) * circle.x_axis + std::sin(angle) * y_axis));
-  };
-  const int pieces = std::max(1, int(std::ceil(circle.sweep / kArcStep)));
-  for (int k = 0; k < pieces; ++k)
-    addLine(at(circle.start + circle.sweep * k / pieces), at(circle.start + circle.sweep * (k + 1) / pieces),
-            marker);
-}
-
-void addBox(const Eigen::AlignedBox3d& box, Marker* marker) {
-  for (int corner = 0; corner < 8; ++corner)
-    for (int axis = 0; axis < 3; ++axis) {
-      const int other = corner | (1 << axis);
-      if (other != corner)
-        addLine(box.corner(Eigen::AlignedBox3d::CornerType(corner)),
-                box.corner(Eigen::AlignedBox3d::CornerType(other)), marker);
-    }
-}
-
-/// Sharp edges and circles; the box around an object that has none.
 Marker edgesOf(const ObjectModel& model) {
   Marker marker = lineList(std::max(kThinnestLine, kLineShare * model.diameter));
-  for (const ModelEdge& edge : model.edges) addLine(edge.p, edge.q, &marker);
-  for (const ModelCircle& circle : model.circles) addArc(circle, &marker);
-  if (marker.points.empty()) addBox(model.bounds, &marker);
+  for (const WireframeLine& line : wireframe(model)) addLine(line.p, line.q, &marker);
   return marker;
 }
 
@@ -98,16 +50,52 @@ Marker meshOf(const ObjectModel& model) {
   return marker;
 }
 
-Marker deletion(const std_msgs::Header& header, const std::string& space, int id) {
+}  // namespace
+
+std_msgs::ColorRGBA toColour(double r, double g, double b) {
+  std_msgs::ColorRGBA colour;
+  colour.r = float(r);
+  colour.g = float(g);
+  colour.b = float(b);
+  colour.a = 1;
+  return colour;
+}
+
+Marker lineList(double width) {
   Marker marker;
-  marker.header = header;
-  marker.ns = space;
-  marker.id = id;
-  marker.action = Marker::DELETE;
+  marker.type = Marker::LINE_LIST;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = width;
   return marker;
 }
 
-}  // namespace
+void addLine(const Eigen::Vector3d& p, const Eigen::Vector3d& q, Marker* marker) {
+  marker->points.push_back(toPoint(p));
+  marker->points.push_back(toPoint(q));
+}
+
+void ShownMarkers::deleteOthers(const std_msgs::Header& header,
+                                const std::function<bool(const std::string&)>& stays,
+                                visualization_msgs::MarkerArray* array) {
+  std::vector<Key> shown;
+  for (const Marker& marker : array->markers)
+    if (marker.action == Marker::ADD) shown.emplace_back(marker.ns, marker.id);
+
+  for (const Key& key : shown_) {
+    if (std::find(shown.begin(), shown.end(), key) != shown.end()) continue;
+    if (stays(key.first)) {
+      shown.push_back(key);
+      continue;
+    }
+    Marker deletion;
+    deletion.header = header;
+    deletion.ns = key.first;
+    deletion.id = key.second;
+    deletion.action = Marker::DELETE;
+    array->markers.push_back(deletion);
+  }
+  shown_ = std::move(shown);
+}
 
 MarkerBuilder::MarkerBuilder(const ModelBase& models, const MarkerStyle& style)
     : models_(models), style_(style) {}
@@ -120,10 +108,8 @@ visualization_msgs::MarkerArray MarkerBuilder::build(const std_msgs::Header& hea
   if (!begun_) array.markers.push_back(deleteAllMarker(header.frame_id));
   begun_ = true;
 
-  std::vector<Key> shown;
   for (size_t i = 0; i < objects.size(); ++i) {
     const ObjectEstimate& object = objects[i];
-    shown.emplace_back(object.name, instances[i]);
     const std::array<std::string, 3> spaces = namespacesOf(object.name);
     const std::array<Marker, 3> parts{shape(object), axes(object), label(object, instances[i])};
     for (size_t k = 0; k < parts.size(); ++k) {
@@ -135,23 +121,19 @@ visualization_msgs::MarkerArray MarkerBuilder::build(const std_msgs::Header& hea
       array.markers.push_back(std::move(marker));
     }
   }
-  for (const Key& key : shown_) {
-    if (std::find(shown.begin(), shown.end(), key) != shown.end()) continue;
-    if (!only.empty() && key.first != only) {
-      shown.push_back(key);
-      continue;
-    }
-    for (const std::string& space : namespacesOf(key.first))
-      array.markers.push_back(deletion(header, space, key.second));
-  }
-  shown_ = std::move(shown);
+
+  const std::array<std::string, 3> searched = namespacesOf(only);
+  const auto stays = [&](const std::string& space) {
+    return !only.empty() && std::find(searched.begin(), searched.end(), space) == searched.end();
+  };
+  shown_.deleteOthers(header, stays, &array);
   return array;
 }
 
 Marker MarkerBuilder::shape(const ObjectEstimate& object) const {
   const ObjectModel& model = models_.objects.at(size_t(object.object)).model;
   const bool solid =
-      object.decision == Decision::kAccepted && model.mesh.triangles.size() <= size_t(style_.most_triangles);
+      object.decision == Decision::kAccepted && model.mesh.triangles.size() <= size_t(style_.max_triangles);
   Marker marker = solid ? meshOf(model) : edgesOf(model);
   marker.pose = toPose(object.camera_from_object);
   marker.color = objectColour(object.object);
@@ -194,11 +176,7 @@ Marker viewMarker(const std::string& optical_frame, const Camera& camera, double
   const std::array<Eigen::Vector2d, 4> pixels{
       Eigen::Vector2d(0, 0), {right, 0}, {right, bottom}, {0, bottom}};
   std::array<Eigen::Vector3d, 4> corners;
-  for (size_t k = 0; k < 4; ++k) {
-    const Eigen::Vector2d uv = camera.undistort(pixels[k]);
-    corners[k] =
-        depth * Eigen::Vector3d((uv.x() - camera.cx) / camera.fx, (uv.y() - camera.cy) / camera.fy, 1);
-  }
+  for (size_t k = 0; k < 4; ++k) corners[k] = depth * camera.ray(camera.undistort(pixels[k]));
 
   for (size_t k = 0; k < 4; ++k) {
     addLine(Eigen::Vector3d::Zero(), corners[k], &marker);

@@ -2,6 +2,7 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,9 +17,28 @@ namespace monocular_eye_hand {
 constexpr double kMarkerRepeat = 1.0;       ///< [s, wall clock]
 constexpr double kRepeatedLifetime = 10.0;  ///< [s]: the clock may run fast
 
+/// Opaque; red, green and blue are 0..1.
+std_msgs::ColorRGBA toColour(double r, double g, double b);
+/// A LINE_LIST without lines; `width` [m].
+visualization_msgs::Marker lineList(double width);
+void addLine(const Eigen::Vector3d& p, const Eigen::Vector3d& q, visualization_msgs::Marker* marker);
+
+/// What a topic shows, so that markers of what is no more are deleted.
+class ShownMarkers {
+ public:
+  /// Appends deletions of what was shown before and does not stand in `array`, but for namespaces of which
+  /// `stays` says so.
+  void deleteOthers(const std_msgs::Header& header, const std::function<bool(const std::string&)>& stays,
+                    visualization_msgs::MarkerArray* array);
+
+ private:
+  using Key = std::pair<std::string, int>;  // namespace, id
+  std::vector<Key> shown_;
+};
+
 /// How objects are shown.
 struct MarkerStyle {
-  int most_triangles = 20000;  ///< of a mesh; above, an object is shown by its edges
+  int max_triangles = 20000;   ///< of a mesh; above, an object is shown by its edges
   double label_height = 0.02;  ///< of a capital letter, the same for all objects [m]
   /// Where the texts stand from their object, in the header's frame; in an optical frame above is -y.
   Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
@@ -41,7 +61,6 @@ class MarkerBuilder {
                                         const std::string& only = "");
 
  private:
-  using Key = std::pair<std::string, int>;  // name, instance
   visualization_msgs::Marker shape(const ObjectEstimate& object) const;
   visualization_msgs::Marker axes(const ObjectEstimate& object) const;
   visualization_msgs::Marker label(const ObjectEstimate& object, int instance) const;
@@ -49,7 +68,7 @@ class MarkerBuilder {
   const ModelBase& models_;
   MarkerStyle style_;
   bool begun_ = false;
-  std::vector<Key> shown_;
+  ShownMarkers shown_;
 };
 
 /// What the camera sees, as far as `depth` [m]: edges of the pyramid and its base as a LINE_LIST that moves

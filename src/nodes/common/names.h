@@ -39,10 +39,9 @@ constexpr char kCellCameraInfo[] = "camera/camera_info";
 constexpr char kTruth[] = "truth";         // ~truth
 constexpr char kTakeAway[] = "take_away";  // ~take_away
 
-// Frames and joints of urdf/puma560.urdf.
+// Frames and joints of urdf/puma560.urdf; the arm's joints are armJointNames().
 constexpr char kBaseFrame[] = "base_link";
 constexpr char kCameraFrame[] = "camera_optical_frame";
-constexpr const char* kArmJoints[] = {"joint1", "joint2", "joint3", "joint4", "joint5", "joint6"};
 // Each stands at half the opening.
 constexpr const char* kFingerJoints[] = {"finger_left_joint", "finger_right_joint"};
 

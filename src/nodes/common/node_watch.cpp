@@ -49,16 +49,16 @@ void NodeWatch::watchClock() {
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::Time now = ros::Time::now();
   const double stands = (ros::WallTime::now() - ticked_at_).toSec();
-  if (now == clock_) return tellClock(stands);
-  if (told_) ROS_INFO("the clock goes on, after %s", secondsText(stands, 1).c_str());
-  told_ = false;
+  if (now == clock_) return warnOfClock(stands);
+  if (warned_) ROS_INFO("the clock goes on, after %s", secondsText(stands, 1).c_str());
+  warned_ = false;
   clock_ = now;
   ticked_at_ = ros::WallTime::now();
 }
 
-void NodeWatch::tellClock(double stands) {
-  if (told_ || stands < (clock_.isZero() ? kFirstMessage : kStands)) return;
-  told_ = true;
+void NodeWatch::warnOfClock(double stands) {
+  if (warned_ || stands < (clock_.isZero() ? kFirstMessage : kStands)) return;
+  warned_ = true;
   if (clock_.isZero())
     ROS_WARN(
         "use_sim_time is set and nothing came on /clock for %s: start the simulation or the bag (rosbag play "

@@ -27,13 +27,13 @@ class NodeWatch {
   void watch();
   void watchClock();
   void watchMaster();
-  void tellClock(double stands);
+  void warnOfClock(double stands);
 
   const std::function<void()> end_;
   mutable std::mutex mutex_;
   ros::Time clock_;
   ros::WallTime ticked_at_;  // when the clock was last seen to go on
-  bool told_ = false;        // that it stands
+  bool warned_ = false;      // that it stands
   bool registered_ = false;  // the master has known this node
   bool master_silent_ = false;
   int unknown_ = 0;  // looks in a row at a master that did not know it any more

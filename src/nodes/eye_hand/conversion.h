@@ -12,7 +12,7 @@
 namespace monocular_eye_hand {
 
 /// The objects of one image. Throws BadInput naming the object and what is wrong with it: a name that is not
-/// in the model base, a pose, quaternion, covariance or probability that is none.
+/// in the model base, an invalid pose, quaternion, covariance or probability.
 std::vector<SeenObject> toSeenObjects(const RecognizedObjectArray& array, const ModelBase& models);
 
 /// The search ended by itself and was for everything: what the message does not hold was not seen.

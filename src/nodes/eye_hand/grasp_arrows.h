@@ -2,9 +2,7 @@
 #include <monocular_eye_hand/GraspTargetArray.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <string>
-#include <utility>
-#include <vector>
+#include "nodes/common/markers.h"
 
 namespace monocular_eye_hand {
 
@@ -15,7 +13,7 @@ class GraspArrows {
   visualization_msgs::MarkerArray build(const GraspTargetArray& grasps);
 
  private:
-  std::vector<std::pair<std::string, int>> shown_;  // namespace, id
+  ShownMarkers shown_;
 };
 
 }  // namespace monocular_eye_hand

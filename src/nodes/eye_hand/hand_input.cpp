@@ -8,6 +8,7 @@
 #include "nodes/common/moment.h"
 #include "nodes/common/names.h"
 #include "nodes/common/optical_frame.h"
+#include "nodes/common/robot_messages.h"
 #include "nodes/common/stamps.h"
 #include "nodes/eye_hand/conversion.h"
 
@@ -36,11 +37,15 @@ HandInput::HandInput(const EyeHandParameters& parameters, const Puma560& arm)
       listener_(buffer_) {
   joints_ = ros::NodeHandle().subscribe<sensor_msgs::JointState>(
       names::kJointStates, 200,
-      [this](const sensor_msgs::JointStateConstPtr& message) { history_.add(*message, ros::Time::now()); },
+      [this](const sensor_msgs::JointStateConstPtr& message) {
+        history_.add(fromMessage(*message, ros::Time::now()));
+      },
       {}, ros::TransportHints().tcpNoDelay());
   gripper_ = ros::NodeHandle().subscribe<GripperState>(
-      names::kGripperState, 200,
-      [this](const GripperStateConstPtr& state) { grippers_.add(*state, ros::Time::now()); });
+      names::kGripperState, 200, [this](const GripperStateConstPtr& message) {
+        const ros::Time now = ros::Time::now();
+        grippers_.add(nanoseconds(stampOr(message->header.stamp, now)), fromMessage(*message, now));
+      });
 }
 
 std::string HandInput::tableHeight(const ros::Time& stamp, double* height) const {
@@ -62,8 +67,8 @@ HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_fram
   const Moment begin = Moment::now();
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kLongestWait * parameters_.wait);
   HandAtStamp result;
-  JointVector joints;
-  auto match = JointHistory::Match::kNone;
+  JointHistory::Found found;
+
   std::string tool_problem, camera_problem, table_problem;
   while (true) {
     const bool last = begin.since() >= parameters_.wait || ros::WallTime::now() >= end || stop();
@@ -71,9 +76,9 @@ HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_fram
         lookUp(parameters_.base_frame, parameters_.tool_frame, stamp, &result.hand.base_from_tool0);
     camera_problem = lookUp(parameters_.tool_frame, camera_frame, stamp, &result.hand_eye.tool0_from_camera);
     table_problem = tableHeight(stamp, &result.table_height);
-    match = history_.at(stamp, parameters_.max_joint_gap, &joints);
+    found = history_.at(nanoseconds(stamp), parameters_.max_joint_gap);
     const bool transforms = tool_problem.empty() && camera_problem.empty() && table_problem.empty();
-    if (last || (transforms && match == JointHistory::Match::kBetween)) break;
+    if (last || (transforms && found.match == JointHistory::Match::kBetween)) break;
     ros::WallDuration(kPoll).sleep();
   }
 
@@ -83,32 +88,39 @@ HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_fram
     result.problem = camera_problem + " (the hand-eye transform: publish the calibration's result)";
   else if (!table_problem.empty())
     result.problem = table_problem;
-  else if (match == JointHistory::Match::kNone)
+  else if (found.match == JointHistory::Match::kNone)
     result.problem = noJointsText(stamp);
   if (!result.problem.empty()) return result;
 
-  result.gripper = grippers_.at(stamp, parameters_.max_joint_age);
-  result.moves = history_.speedAt(stamp, kSpeedSpan, parameters_.max_joint_gap) > parameters_.still;
-  const HandPose by_joints = handPose(arm_, joints);
+  result.gripper = grippers_.at(nanoseconds(stamp), parameters_.max_joint_age);
+  result.moves =
+      history_.speedAt(nanoseconds(stamp), kSpeedSpan, parameters_.max_joint_gap) > parameters_.still;
+  const HandPose by_joints = handPose(arm_, found.joints);
   result.hand.jacobian = by_joints.jacobian;
-  if (match != JointHistory::Match::kBetween) return result;  // moving: an angle nearby proves nothing
+  if (found.match != JointHistory::Match::kBetween) return result;  // moving: an angle nearby proves nothing
 
-  const Vector6d gap = difference(by_joints.base_from_tool0, result.hand.base_from_tool0);
-  if (gap.head<3>().norm() <= parameters_.max_tf_distance && gap.tail<3>().norm() <= parameters_.max_tf_turn)
-    return result;
-  std::ostringstream text;
-  text << "tf puts " << parameters_.tool_frame << " " << 1000 * gap.head<3>().norm() << " mm and "
-       << gap.tail<3>().norm() << " rad from where the joint states put it in " << parameters_.base_frame
-       << ": one of them is not this arm's, or its frames are not";
-  result.problem = text.str();
+  result.problem = mismatch(by_joints.base_from_tool0, result.hand.base_from_tool0);
   return result;
 }
 
+std::string HandInput::mismatch(const Rigid3& by_joints, const Rigid3& by_tf) const {
+  const Vector6d gap = difference(by_joints, by_tf);
+  const double distance = gap.head<3>().norm(), angle = gap.tail<3>().norm();
+  if (distance <= parameters_.max_tf_distance && angle <= parameters_.max_tf_turn) return "";
+
+  std::ostringstream text;
+  text << "tf puts " << parameters_.tool_frame << " " << 1000 * distance << " mm and " << angle
+       << " rad from where the joint states put it in " << parameters_.base_frame
+       << ": one of them is not this arm's, or its frames are not";
+  return text.str();
+}
+
 std::string HandInput::current(JointVector* joints) const {
-  ros::Time stamp;
-  if (!history_.latest(joints, &stamp))
-    return "no joint states on " + joints_.getTopic() + ": " + history_.problem();
-  const double age = secondsBetween(stamp, ros::Time::now());
+  const std::optional<JointHistory::Latest> latest = history_.latest();
+  if (!latest) return "no joint states on " + joints_.getTopic() + ": " + history_.problem();
+
+  *joints = latest->joints;
+  const double age = secondsBetween(latest->stamp, nanoseconds(ros::Time::now()));
   if (age <= parameters_.max_joint_age) return "";
   return "the last joint state on " + joints_.getTopic() + " is " + secondsText(age) + " old";
 }
@@ -129,15 +141,15 @@ std::string HandInput::opticalFrameIn(const std::string& frame) const {
 }
 
 std::string HandInput::noJointsText(const ros::Time& stamp) const {
-  JointVector joints;
-  ros::Time latest;
+  const std::optional<JointHistory::Latest> latest = history_.latest();
   std::ostringstream text;
   text << "no joint state within " << parameters_.max_joint_gap << " s of the image's stamp on "
        << joints_.getTopic();
-  if (!history_.latest(&joints, &latest))
-    text << ": " << history_.problem();
+  if (latest)
+    text << ": the latest one is " << secondsText(secondsBetween(latest->stamp, nanoseconds(stamp)))
+         << " older";
   else
-    text << ": the latest one is " << secondsText(secondsBetween(latest, stamp)) << " older";
+    text << ": " << history_.problem();
   return text.str();
 }
 

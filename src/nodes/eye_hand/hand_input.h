@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "monocular_eye_hand/arm/gripper_history.h"
+#include "monocular_eye_hand/arm/joint_history.h"
 #include "monocular_eye_hand/eye_hand/chain.h"
-#include "nodes/eye_hand/gripper_history.h"
-#include "nodes/eye_hand/joint_history.h"
 #include "nodes/eye_hand/parameters.h"
 
 namespace monocular_eye_hand {
@@ -18,11 +18,11 @@ namespace monocular_eye_hand {
 /// Where hand and camera were at a stamp.
 struct HandAtStamp {
   HandPose hand;
-  HandEye hand_eye;                     ///< covariance zero: the options' stands in
-  bool moves = false;                   ///< the camera does
-  double table_height = 0;              ///< z of the table's top in base [m]
-  std::optional<GripperState> gripper;  ///< none: it says nothing
-  std::string problem;                  ///< why it is not known; "": it is
+  HandEye hand_eye;                       ///< covariance zero: the options' stands in
+  bool moves = false;                     ///< the camera does
+  double table_height = 0;                ///< z of the table's top in base [m]
+  std::optional<GripperReading> gripper;  ///< none: it says nothing
+  std::string problem;                    ///< why it is not known; "": it is
 };
 
 /// tf and joint_states. tf says where tool0 and the camera are, the joints give the Jacobian and must agree.
@@ -46,6 +46,8 @@ class HandInput {
   std::string lookUp(const std::string& target, const std::string& source, const ros::Time& stamp,
                      Rigid3* target_from_source) const;
   std::string noJointsText(const ros::Time& stamp) const;
+  /// What tells that two poses of tool0 in base are not one; "": nothing.
+  std::string mismatch(const Rigid3& by_joints, const Rigid3& by_tf) const;
   /// Sets `height` in base; returns why it is not known.
   std::string tableHeight(const ros::Time& stamp, double* height) const;
 

@@ -20,7 +20,7 @@ KnownBox inHand(const char* name, const Rigid3& base_from_tcp, const Eigen::Vect
 
 Eigen::Vector3d vectorOf(const std::array<double, 3>& values) { return {values[0], values[1], values[2]}; }
 
-void addFingers(const GripperOptions& gripper, const GripperState& state, double held_width,
+void addFingers(const GripperOptions& gripper, const GripperReading& state, double held_width,
                 const Rigid3& base_from_tcp, std::vector<KnownBox>* boxes) {
   const Eigen::Vector3d size(gripper.finger_width, gripper.finger_thickness,
                              gripper.finger_length + gripper.finger_tip);
@@ -43,12 +43,12 @@ double lowestPoint(const ObjectModel& model, const Rigid3& base_from_object) {
 
 }  // namespace
 
-bool holds(const std::optional<GripperState>& gripper, double held_width) {
+bool holds(const std::optional<GripperReading>& gripper, double held_width) {
   return gripper && gripper->stalled && gripper->width > held_width;
 }
 
 KnownSpace knownCell(const EyeHandParameters& parameters, double table_height, const Rigid3& base_from_tcp,
-                     const std::optional<GripperState>& gripper) {
+                     const std::optional<GripperReading>& gripper) {
   KnownSpace known;
   if (parameters.table) known.table_height = table_height;
   for (const CellBox& box : parameters.boxes)

@@ -1,8 +1,7 @@
 #pragma once
-#include <monocular_eye_hand/GripperState.h>
-
 #include <optional>
 
+#include "monocular_eye_hand/arm/gripper_reading.h"
 #include "monocular_eye_hand/eye_hand/object_view.h"
 #include "nodes/eye_hand/parameters.h"
 
@@ -12,10 +11,10 @@ namespace monocular_eye_hand {
 /// and what it holds. `table_height`: z of the table's top in base [m]. Without `gripper` nobody knows where
 /// the fingers are: only the hand's body counts.
 KnownSpace knownCell(const EyeHandParameters& parameters, double table_height, const Rigid3& base_from_tcp,
-                     const std::optional<GripperState>& gripper);
+                     const std::optional<GripperReading>& gripper);
 
 /// Whether the gripper holds something, of whatever shape.
-bool holds(const std::optional<GripperState>& gripper, double held_width);
+bool holds(const std::optional<GripperReading>& gripper, double held_width);
 
 /// What the objects of a view say of the axes of its frame.
 enum class FrameAxes {

@@ -4,6 +4,7 @@
 #include "nodes/common/camera_info.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/names.h"
+#include "nodes/common/node_on.h"
 #include "nodes/common/stamps.h"
 #include "nodes/eye_hand/conversion.h"
 #include "nodes/eye_hand/known_cell.h"
@@ -12,31 +13,11 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr int kServiceThreads = 2;  // calls that are answered at the same time
-constexpr double kRestart = 1.0;    // a clock that goes back by more was set back on purpose [s]
 
 /// A view from before the last ~forget.
 struct BeforeForget : BadInput {
   using BadInput::BadInput;
 };
-
-ros::NodeHandle privateNodeOn(ros::CallbackQueue* queue) {
-  ros::NodeHandle node("~");
-  node.setCallbackQueue(queue);
-  return node;
-}
-
-std::string outcomesText(const ViewReport& report, const ModelBase& models) {
-  std::string text;
-  for (const ViewDecision& decision : report.decisions) {
-    text += (text.empty() ? "" : "; ") + models.objects.at(size_t(decision.object)).model.name;
-    if (decision.number >= 0) text += " " + std::to_string(decision.number);
-    text += std::string(" ") + name(decision.outcome) + ": " + decision.reason;
-  }
-  for (const MappedObject& gone : report.forgotten)
-    text += (text.empty() ? "" : "; ") + gone.name + " " + std::to_string(gone.number) +
-            " forgotten: it was not where it should have been seen";
-  return text.empty() ? "nothing seen" : text;
-}
 
 }  // namespace
 
@@ -48,7 +29,7 @@ EyeHandNode::EyeHandNode(const ModelBase& models, const EyeHandParameters& param
       hand_(parameters, arm),
       map_(models, parameters.map, parameters.base_frame),
       outputs_(models, parameters, advisor, [this] { return armNow(); }),
-      service_node_(privateNodeOn(&service_queue_)),
+      service_node_(nodeOn(&service_queue_, "~")),
       diagnostics_(parameters.diagnostic_period, [this] { return state(); }),
       service_spinner_(kServiceThreads, &service_queue_) {
   infos_ = node_.subscribe(names::kCameraInfo, 10, &EyeHandNode::onInfo, this);
@@ -113,10 +94,10 @@ void EyeHandNode::workOn(const RecognizedObjectArray& view) {
     const std::string outcomes = merge(view);
     ROS_DEBUG("view of %f: %s", view.header.stamp.toSec(), outcomes.c_str());
     diagnostics_.viewUsed(outcomes);
-    tell(view.header.stamp, "");
+    publishKnown(view.header.stamp, "");
   } catch (const BeforeForget& e) {  // as it should be: no warning
     diagnostics_.viewLeftOut();
-    tell(view.header.stamp, e.what());
+    publishKnown(view.header.stamp, e.what());
   } catch (const std::exception& e) {
     if (!stop_) refuse(view, e.what());
   }
@@ -146,7 +127,7 @@ std::string EyeHandNode::merge(const RecognizedObjectArray& view) {
   if (added.before_forget) throw BeforeForget(added.report.refused);
   if (!added.report.refused.empty())
     throw BadInput(added.report.refused + " (call ~forget for every object)");
-  return outcomesText(added.report, models_);
+  return textOf(added.report, models_);
 }
 
 Camera EyeHandNode::camera() {
@@ -154,7 +135,7 @@ Camera EyeHandNode::camera() {
   if (!info)
     throw BadInput("no camera_info on " + infos_.getTopic() + ": start the camera, or remap the topic");
   try {
-    return cameraFromInfo(*info, parameters_.rectified ? ImageKind::kRectified : ImageKind::kRaw);
+    return cameraOf(fromMessage(*info), parameters_.rectified ? ImageKind::kRectified : ImageKind::kRaw);
   } catch (const BadCameraInfo& e) {
     throw BadInput("bad camera_info on " + infos_.getTopic() + ": " + e.what());
   }
@@ -193,11 +174,11 @@ void EyeHandNode::requireOpticalFrame(const ObjectView& view, const std::string&
 void EyeHandNode::refuse(const RecognizedObjectArray& view, const std::string& reason) {
   map_.refuse(reason);
   diagnostics_.viewRefused(reason);
-  tell(view.header.stamp, reason);
+  publishKnown(view.header.stamp, reason);
 }
 
-void EyeHandNode::tell(const ros::Time& stamp, const std::string& refused) {
-  std::lock_guard<std::mutex> lock(tell_mutex_);
+void EyeHandNode::publishKnown(const ros::Time& stamp, const std::string& refused) {
+  std::lock_guard<std::mutex> lock(publish_mutex_);
   outputs_.publish(map_.known(), stamp, refused);
 }
 
@@ -210,7 +191,7 @@ sensor_msgs::CameraInfoConstPtr EyeHandNode::waitForInfo() {
 void EyeHandNode::watchClock() {
   const ros::Time now = ros::Time::now();
   const double went_back = secondsBetween(now, last_now_);
-  if (went_back > kRestart) {
+  if (went_back > kTimeRestart) {
     ROS_WARN("time went back by %.1f s: everything known is forgotten", went_back);
     map_.clear();
   }
@@ -262,7 +243,7 @@ bool EyeHandNode::onForget(ForgetObject::Request& request, ForgetObject::Respons
     response.text = "no " + (request.name.empty() ? "object" : which) + " is known";
   else
     response.text = "forgot " + (request.name.empty() ? "everything" : which);
-  if (response.forgotten > 0) tell(map_.known().stamp, "");
+  if (response.forgotten > 0) publishKnown(map_.known().stamp, "");
   return true;
 }
 

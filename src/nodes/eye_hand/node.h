@@ -46,7 +46,7 @@ class EyeHandNode {
   void requireOpticalFrame(const ObjectView& view, const std::string& frame, double table_height);
   void refuse(const RecognizedObjectArray& view, const std::string& reason);
   /// Publishes what is known now.
-  void tell(const ros::Time& stamp, const std::string& refused);
+  void publishKnown(const ros::Time& stamp, const std::string& refused);
   sensor_msgs::CameraInfoConstPtr waitForInfo();
   void watchClock();
   ArmNow armNow() const;
@@ -58,7 +58,7 @@ class EyeHandNode {
   HandInput hand_;
   SharedMap map_;
   EyeHandOutputs outputs_;
-  std::mutex tell_mutex_;  // who looks later tells later
+  std::mutex publish_mutex_;  // who looks later publishes later
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/arm/arm_state.h"
 #include "monocular_eye_hand/arm/puma560.h"
 #include "monocular_eye_hand/eye_hand/object_map_options.h"
 #include "monocular_eye_hand/geometry/cell_box.h"
@@ -17,7 +18,7 @@ struct EyeHandParameters {
   std::string base_frame = "base_link";  ///< of all results
   std::string tool_frame = "tool0";      ///< the camera hangs on it
   /// In sensor_msgs/JointState, in the order of the arm.
-  std::array<std::string, 6> joint_names{{"joint1", "joint2", "joint3", "joint4", "joint5", "joint6"}};
+  std::array<std::string, 6> joint_names = armJointNames();
   bool rectified = false;      ///< the recogniser works on image_rect: P of camera_info holds
   double wait = 1.0;           ///< longest wait for tf, joint states and camera_info of a view [s, Moment]
   double memory = 120;         ///< tf and joint states are kept so long [s]

@@ -62,7 +62,7 @@ void ImageSourceNode::loadCalibration() {
   const std::string url = may_be_overwritten ? "file://" + std::filesystem::absolute(file).string() : "";
   calibration_ = std::make_unique<camera_info_manager::CameraInfoManager>(
       node_, read.name.empty() ? "camera" : read.name, url);
-  calibration_->setCameraInfo(toCameraInfo(read));
+  calibration_->setCameraInfo(toMessage(calibrationOf(read)));
 }
 
 void ImageSourceNode::waitForSubscriber() const {

@@ -1,14 +1,13 @@
 #include "nodes/image_source/parameters.h"
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 
 void ImageSourceParameters::check() const {
-  if (source.empty())
-    throw BadInput("source is not set: give an image, a folder, a pattern as img_%04d.png, or a video");
-  if (!(rate >= 0)) throw BadInput("rate = " + std::to_string(rate) + " must not be negative");
-  if (frame_id.empty()) throw BadInput("frame_id is empty: name the camera's optical frame");
+  requireGiven("source", source, "an image, a folder, a pattern as img_%04d.png, or a video");
+  require(rate >= 0, "rate", rate, "0 or more");
+  requireGiven("frame_id", frame_id, "the camera's optical frame");
 }
 
 }  // namespace monocular_eye_hand

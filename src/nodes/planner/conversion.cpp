@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monocular_eye_hand/arm/arm_state.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/common/conversion.h"
+#include "nodes/common/markers.h"
 #include "nodes/common/names.h"
 
 namespace monocular_eye_hand {
@@ -14,10 +16,10 @@ constexpr double kMarkerStep = 0.02;    // between points of the line [s]
 constexpr double kMarkerWidth = 0.003;  // of the line [m]
 constexpr double kMarkerLife = 60.0;    // of the line [s]
 
-double widthOf(double value, const char* field, double most) {
-  if (value >= 0 && value <= most + 1e-9) return std::min(value, most);
+double widthOf(double value, const char* field, double max_width) {
+  if (value >= 0 && value <= max_width + 1e-9) return std::min(value, max_width);
   throw BadInput(std::string("target.") + field + " = " + std::to_string(value) + " must be 0 to " +
-                 std::to_string(most) + " m, what the gripper can open");
+                 std::to_string(max_width) + " m, what the gripper can open");
 }
 
 std::vector<JointVector> jointsOf(const MoveGoal& goal) {
@@ -33,7 +35,7 @@ std::vector<JointVector> jointsOf(const MoveGoal& goal) {
 
 trajectory_msgs::JointTrajectory toMessage(const Trajectory& trajectory) {
   trajectory_msgs::JointTrajectory message;
-  message.joint_names.assign(std::begin(names::kArmJoints), std::end(names::kArmJoints));
+  message.joint_names.assign(armJointNames().begin(), armJointNames().end());
   for (size_t k = 1; k < trajectory.points.size(); ++k) {
     const TrajectoryState& state = trajectory.points[k];
     trajectory_msgs::JointTrajectoryPoint point;
@@ -109,10 +111,7 @@ visualization_msgs::Marker pathMarker(const std::string& frame, const ToolArm& a
   marker.action = visualization_msgs::Marker::ADD;
   marker.pose.orientation.w = 1;
   marker.scale.x = kMarkerWidth;
-  marker.color.r = 0.1f;
-  marker.color.g = 0.8f;
-  marker.color.b = 0.9f;
-  marker.color.a = 1;
+  marker.color = toColour(0.1, 0.8, 0.9);
 
   for (const Trajectory& motion : motions)
     for (double t = 0; t < motion.duration() + kMarkerStep; t += kMarkerStep) {

@@ -24,10 +24,7 @@ Marker begin(const PlannerParameters& parameters, const char* space, int id, int
   marker.type = type;
   marker.lifetime = ros::Duration(kRepeatedLifetime);
   marker.pose.orientation.w = 1;
-  marker.color.r = 0.55f;
-  marker.color.g = 0.5f;
-  marker.color.b = 0.45f;
-  marker.color.a = 1;
+  marker.color = toColour(0.55, 0.5, 0.45);
   return marker;
 }
 
@@ -53,10 +50,11 @@ Marker boxMarker(const PlannerParameters& parameters, int k) {
   return marker;
 }
 
-void addLine(const Rigid3& base_from_shape, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
-             Marker* marker) {
-  for (const Eigen::Vector2d& end : {p, q})
-    marker->points.push_back(toPoint(base_from_shape * Eigen::Vector3d(end.x(), end.y(), 0)));
+/// In the plane of the shape.
+void addFlatLine(const Rigid3& base_from_shape, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
+                 Marker* marker) {
+  addLine(base_from_shape * Eigen::Vector3d(p.x(), p.y(), 0),
+          base_from_shape * Eigen::Vector3d(q.x(), q.y(), 0), marker);
 }
 
 Marker dropZoneMarker(const PlannerParameters& parameters) {
@@ -64,22 +62,20 @@ Marker dropZoneMarker(const PlannerParameters& parameters) {
   const double z = parameters.table.z + kAboveTable;
   Marker marker = begin(parameters, "drop_zone", 0, Marker::LINE_LIST);
   marker.scale.x = kLineWidth;
-  marker.color.r = 0.2f;
-  marker.color.g = 0.9f;
-  marker.color.b = 0.4f;
+  marker.color = toColour(0.2, 0.9, 0.4);
 
   if (zone.list.empty()) {
     const Rigid3 rectangle = upright(zone.x, zone.y, z, zone.yaw);
     const double a = zone.length / 2, b = zone.width / 2;
-    addLine(rectangle, {-a, -b}, {a, -b}, &marker);
-    addLine(rectangle, {a, -b}, {a, b}, &marker);
-    addLine(rectangle, {a, b}, {-a, b}, &marker);
-    addLine(rectangle, {-a, b}, {-a, -b}, &marker);
+    addFlatLine(rectangle, {-a, -b}, {a, -b}, &marker);
+    addFlatLine(rectangle, {a, -b}, {a, b}, &marker);
+    addFlatLine(rectangle, {a, b}, {-a, b}, &marker);
+    addFlatLine(rectangle, {-a, b}, {-a, -b}, &marker);
   }
 
   for (const DropPlace& place : zone.places())
-    addLine(upright(place.x, place.y, z, place.yaw), {-kStrokeLength / 2, 0}, {kStrokeLength / 2, 0},
-            &marker);
+    addFlatLine(upright(place.x, place.y, z, place.yaw), {-kStrokeLength / 2, 0}, {kStrokeLength / 2, 0},
+                &marker);
   return marker;
 }
 

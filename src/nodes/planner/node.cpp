@@ -45,42 +45,59 @@ ActionResult fault(const std::string& reason) {
 
 }  // namespace
 
+template <class Action>
+void PlannerNode::serve(ServerPtr<Action>* server, const char* name, Work<Action> work) {
+  const auto on_goal = [this, server, name, work](const boost::shared_ptr<const GoalOf<Action>>& goal) {
+    run<Action>(server->get(), name,
+                [&](const ActionMonitor& monitor) { return (this->*work)(*goal, monitor); });
+  };
+  *server = std::make_unique<actionlib::SimpleActionServer<Action>>(private_node_, name, on_goal, false);
+  (*server)->start();
+}
+
+template <class Action>
+void PlannerNode::run(actionlib::SimpleActionServer<Action>* server, const char* action,
+                      const std::function<ActionResult(const ActionMonitor&)>& work) {
+  using Feedback = typename Action::_action_feedback_type::_feedback_type;
+  using Result = typename Action::_action_result_type::_result_type;
+  ActionResult ended;
+  {
+    const std::unique_lock<std::mutex> lock(busy_, std::try_to_lock);
+    if (stopping_) {
+      ended = fault("the planner is going down; nothing moved");
+    } else if (!lock.owns_lock()) {
+      ended = fault("busy with " + running() + ": one action at a time; nothing moved");
+    } else {
+      setRunning(action);
+      const auto preempted = [server] { return server->isPreemptRequested(); };
+      const auto report = [server](const std::string& stage, double progress) {
+        Feedback feedback;
+        feedback.stage = stage;
+        feedback.progress = progress;
+        server->publishFeedback(feedback);
+      };
+      ended = guarded(monitorOf(preempted, report), work);
+      remember(action, ended);
+    }
+  }  // free for the next goal before this one's result is known
+
+  const Result result = toMessage<Result>(ended);
+  if (ended.done()) {
+    server->setSucceeded(result);
+    return;
+  }
+  ROS_WARN("%s: %s", action, ended.reason.c_str());
+  if (ended.outcome == ActionOutcome::kCancelled)
+    server->setPreempted(result, ended.reason);
+  else
+    server->setAborted(result, ended.reason);
+}
+
 PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& node_watch)
     : parameters_(parameters),
       node_watch_(node_watch),
       executor_(parameters, &robot_, &memory_, texts()),
-      private_node_("~"),
-      pick_(
-          private_node_, names::kPick,
-          [this](const PickGoalConstPtr& goal) {
-            run<PickAction, PickResult, PickFeedback>(
-                &pick_, names::kPick, [&](const ActionMonitor& monitor) { return pick(*goal, monitor); });
-          },
-          false),
-      place_(
-          private_node_, names::kPlace,
-          [this](const PlaceGoalConstPtr& goal) {
-            run<PlaceAction, PlaceResult, PlaceFeedback>(
-                &place_, names::kPlace, [&](const ActionMonitor& monitor) {
-                  return executor_.place(PlaceOrder{goal->place}, monitor);
-                });
-          },
-          false),
-      move_(
-          private_node_, names::kMove,
-          [this](const MoveGoalConstPtr& goal) {
-            run<MoveAction, MoveResult, MoveFeedback>(
-                &move_, names::kMove, [&](const ActionMonitor& monitor) { return move(*goal, monitor); });
-          },
-          false),
-      recover_(
-          private_node_, names::kRecover,
-          [this](const RecoverGoalConstPtr&) {
-            run<RecoverAction, RecoverResult, RecoverFeedback>(
-                &recover_, names::kRecover,
-                [&](const ActionMonitor& monitor) { return executor_.recover(monitor); });
-          },
-          false) {
+      private_node_("~") {
   path_ = private_node_.advertise<visualization_msgs::Marker>(names::kPath, 1, true);
   path_.publish(deleteAllMarker(parameters_.base_frame));  // what a former planner left
   cell_ = private_node_.advertise<visualization_msgs::MarkerArray>(names::kCell, 1, true);
@@ -96,10 +113,10 @@ PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& n
   timer_ = node_.createWallTimer(ros::WallDuration(parameters.diagnostic_period),
                                  [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 
-  pick_.start();
-  place_.start();
-  move_.start();
-  recover_.start();
+  serve<PickAction>(&pick_, names::kPick, &PlannerNode::pick);
+  serve<PlaceAction>(&place_, names::kPlace, &PlannerNode::place);
+  serve<MoveAction>(&move_, names::kMove, &PlannerNode::move);
+  serve<RecoverAction>(&recover_, names::kRecover, &PlannerNode::recover);
 }
 
 PlannerNode::~PlannerNode() { stop(); }
@@ -182,6 +199,14 @@ ActionResult PlannerNode::pick(const PickGoal& goal, const ActionMonitor& monito
   return executor_.pick(order, monitor);
 }
 
+ActionResult PlannerNode::place(const PlaceGoal& goal, const ActionMonitor& monitor) {
+  return executor_.place(PlaceOrder{goal.place}, monitor);
+}
+
+ActionResult PlannerNode::recover(const RecoverGoal&, const ActionMonitor& monitor) {
+  return executor_.recover(monitor);
+}
+
 ActionResult PlannerNode::move(const MoveGoal& goal, const ActionMonitor& monitor) {
   MoveOrder order;
   try {
@@ -190,42 +215,6 @@ ActionResult PlannerNode::move(const MoveGoal& goal, const ActionMonitor& monito
     return executor_.refuseBadGoal(e.what());
   }
   return executor_.move(order, monitor);
-}
-
-template <class Action, class Result, class Feedback>
-void PlannerNode::run(Server<Action>* server, const char* action,
-                      const std::function<ActionResult(const ActionMonitor&)>& work) {
-  ActionResult ended;
-  {
-    const std::unique_lock<std::mutex> lock(busy_, std::try_to_lock);
-    if (stopping_) {
-      ended = fault("the planner is going down; nothing moved");
-    } else if (!lock.owns_lock()) {
-      ended = fault("busy with " + running() + ": one action at a time; nothing moved");
-    } else {
-      setRunning(action);
-      const auto preempted = [server] { return server->isPreemptRequested(); };
-      const auto report = [server](const std::string& stage, double progress) {
-        Feedback feedback;
-        feedback.stage = stage;
-        feedback.progress = progress;
-        server->publishFeedback(feedback);
-      };
-      ended = guarded(monitorOf(preempted, report), work);
-      remember(action, ended);
-    }
-  }  // free for the next goal before this one's result is known
-
-  const Result result = toMessage<Result>(ended);
-  if (ended.done()) {
-    server->setSucceeded(result);
-    return;
-  }
-  ROS_WARN("%s: %s", action, ended.reason.c_str());
-  if (ended.outcome == ActionOutcome::kCancelled)
-    server->setPreempted(result, ended.reason);
-  else
-    server->setAborted(result, ended.reason);
 }
 
 void PlannerNode::remember(const char* action, const ActionResult& result) {

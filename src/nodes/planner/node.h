@@ -35,17 +35,26 @@ class PlannerNode {
 
  private:
   template <class Action>
-  using Server = actionlib::SimpleActionServer<Action>;
+  using ServerPtr = std::unique_ptr<actionlib::SimpleActionServer<Action>>;
+  template <class Action>
+  using GoalOf = typename Action::_action_goal_type::_goal_type;
+  template <class Action>
+  using Work = ActionResult (PlannerNode::*)(const GoalOf<Action>&, const ActionMonitor&);
 
-  template <class Action, class Result, class Feedback>
-  void run(Server<Action>* server, const char* action,
+  /// Offers an action from now on.
+  template <class Action>
+  void serve(ServerPtr<Action>* server, const char* name, Work<Action> work);
+  template <class Action>
+  void run(actionlib::SimpleActionServer<Action>* server, const char* action,
            const std::function<ActionResult(const ActionMonitor&)>& work);
   ActionResult guarded(const ActionMonitor& monitor,
                        const std::function<ActionResult(const ActionMonitor&)>& work);
   ActionMonitor monitorOf(const std::function<bool()>& preempted,
                           const std::function<void(const std::string&, double)>& report);
   ActionResult pick(const PickGoal& goal, const ActionMonitor& monitor);
+  ActionResult place(const PlaceGoal& goal, const ActionMonitor& monitor);
   ActionResult move(const MoveGoal& goal, const ActionMonitor& monitor);
+  ActionResult recover(const RecoverGoal& goal, const ActionMonitor& monitor);
   void onObjects(const LocatedObjectArrayConstPtr& message);
   void takeObjects();
   void show(const std::vector<Trajectory>& motions);
@@ -72,10 +81,10 @@ class PlannerNode {
   ros::NodeHandle node_, private_node_;
   ros::Publisher path_, cell_;
   ros::Subscriber objects_subscriber_;
-  Server<PickAction> pick_;
-  Server<PlaceAction> place_;
-  Server<MoveAction> move_;
-  Server<RecoverAction> recover_;
+  ServerPtr<PickAction> pick_;
+  ServerPtr<PlaceAction> place_;
+  ServerPtr<MoveAction> move_;
+  ServerPtr<RecoverAction> recover_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_, cell_timer_;
 };

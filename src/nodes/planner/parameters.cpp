@@ -1,13 +1,12 @@
 #include "nodes/planner/parameters.h"
 
-#include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 
 void PlannerParameters::check() const {
   ExecutorOptions::check();
-  if (base_frame.empty()) throw BadInput("base_frame is empty");
+  requireGiven("base_frame", base_frame, "the frame of the arm's base");
   requirePositive("diagnostic_period", diagnostic_period);
 }
 

@@ -6,12 +6,13 @@
 #include <chrono>
 
 #include "nodes/common/names.h"
+#include "nodes/common/robot_messages.h"
 #include "nodes/planner/conversion.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMostUntaken = 2000;  // joint readings that nobody takes
+constexpr size_t kMaxUntaken = 2000;  // joint readings that nobody takes
 
 }  // namespace
 
@@ -24,7 +25,7 @@ RosRobot::RosRobot() {
 
 void RosRobot::onJoints(const sensor_msgs::JointState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::optional<ArmState> arm = arm_states_.add(message, ros::Time::now().toSec());
+  const std::optional<ArmState> arm = arm_states_.add(fromMessage(message, ros::Time::now()));
   if (!arm) return;  // another device's message, or not yet all of the arm
 
   JointReading reading{arm->stamp, arm->joints, joints_ ? joints_->speed : 0};
@@ -37,19 +38,14 @@ void RosRobot::onJoints(const sensor_msgs::JointState& message) {
   joints_ = reading;
   joints_at_ = Moment::now();
   untaken_.push_back(reading);
-  if (untaken_.size() > kMostUntaken) untaken_.pop_front();
+  if (untaken_.size() > kMaxUntaken) untaken_.pop_front();
   ++changes_;
   changed_.notify_all();
 }
 
 void RosRobot::onGripper(const GripperState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  GripperReading reading;
-  reading.stamp = message.header.stamp.toSec();
-  reading.width = message.width;
-  reading.moving = message.moving;
-  reading.stalled = message.stalled;
-  gripper_ = reading;
+  gripper_ = fromMessage(message, message.header.stamp);  // without a stamp: of no moment
   gripper_at_ = Moment::now();
   ++changes_;
   changed_.notify_all();

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/arm/arm_state.h"
 #include "monocular_eye_hand/execution/robot.h"
-#include "nodes/common/arm_state.h"
 #include "nodes/common/moment.h"
 
 namespace monocular_eye_hand {

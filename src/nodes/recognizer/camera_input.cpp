@@ -4,6 +4,8 @@
 #include <chrono>
 
 #include "nodes/common/names.h"
+#include "nodes/common/node_on.h"
+#include "nodes/common/stamps.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -11,12 +13,6 @@ namespace {
 constexpr size_t kInfosKept = 30;
 // Image and camera_info of one moment travel on two connections: the second one may be this late.
 constexpr std::chrono::milliseconds kInfoDelay(200);
-
-ros::NodeHandle nodeOn(ros::CallbackQueue* queue) {
-  ros::NodeHandle node;
-  node.setCallbackQueue(queue);
-  return node;
-}
 
 }  // namespace
 
@@ -79,7 +75,7 @@ bool CameraInput::stampsInFuture() const {
 
 void CameraInput::onImage(const sensor_msgs::ImageConstPtr& image) {
   std::lock_guard<std::mutex> lock(mutex_);
-  stamps_.add(image->header.stamp, ros::Time::now());
+  stamps_.add(nanoseconds(image->header.stamp), nanoseconds(ros::Time::now()));
   newest_.image = image;
   newest_.restarts = stamps_.restarts();
   newest_.clock = ros::Time::now();

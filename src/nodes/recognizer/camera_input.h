@@ -12,8 +12,8 @@
 #include <mutex>
 #include <string>
 
-#include "nodes/common/camera_info.h"
-#include "nodes/recognizer/stamp_watch.h"
+#include "monocular_eye_hand/io/image_calibration.h"
+#include "monocular_eye_hand/io/stamp_watch.h"
 
 namespace monocular_eye_hand {
 

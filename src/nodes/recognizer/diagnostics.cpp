@@ -63,16 +63,16 @@ void Diagnostics::logProblem(const std::string& problem) {
   ROS_WARN("camera: %s", problem.c_str());
 }
 
-std::string Diagnostics::silence() const {
+std::string Diagnostics::missingInput() const {
   const std::string topic = input_.imageTopic();
   if (input_.imagePublishers() == 0)
     return "no image: nobody publishes " + topic + " (start the camera, or remap the topic)";
   return "no image: " + topic + " has a publisher but sends nothing";
 }
 
-bool Diagnostics::silent() const { return last_image_at_.since() > kSilence; }
+bool Diagnostics::inputMissing() const { return last_image_at_.since() > kSilence; }
 
-std::string Diagnostics::odd() const {
+std::string Diagnostics::oddInput() const {
   const std::string stamps = input_.stampProblem();
   return stamps.empty() ? frame_problem_ : stamps;
 }
@@ -87,8 +87,8 @@ void Diagnostics::update() {
     if (received != received_ || !wants_images_()) last_image_at_ = Moment::now();
     received_ = received;
     rate_at_ = now;
-    if (silent()) logProblem(silence());
-    const std::string problem = odd();
+    if (inputMissing()) logProblem(missingInput());
+    const std::string problem = oddInput();
     if (!problem.empty() && (now - odd_logged_at_).toSec() > kLogAgain) {
       ROS_WARN("camera: %s", problem.c_str());
       odd_logged_at_ = now;
@@ -99,9 +99,9 @@ void Diagnostics::update() {
 
 void Diagnostics::camera(diagnostic_updater::DiagnosticStatusWrapper& status) {
   std::lock_guard<std::mutex> lock(mutex_);
-  const std::string odd_problem = odd();
-  if (silent() || (received_ == 0 && wants_images_()))
-    status.summary(DiagnosticStatus::WARN, silence());
+  const std::string odd_problem = oddInput();
+  if (inputMissing() || (received_ == 0 && wants_images_()))
+    status.summary(DiagnosticStatus::WARN, missingInput());
   else if (!problem_.empty())
     status.summary(DiagnosticStatus::ERROR, problem_);
   else if (!odd_problem.empty())

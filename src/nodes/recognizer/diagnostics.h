@@ -34,9 +34,9 @@ class Diagnostics {
   void camera(diagnostic_updater::DiagnosticStatusWrapper& status);
   void recognition(diagnostic_updater::DiagnosticStatusWrapper& status);
   void logProblem(const std::string& problem);  // with mutex_ held
-  std::string silence() const;                  // why no image comes
-  bool silent() const;                          // with mutex_ held
-  std::string odd() const;                      // about stamps or frame; with mutex_ held
+  std::string missingInput() const;             // why no image comes
+  bool inputMissing() const;                    // with mutex_ held
+  std::string oddInput() const;                 // about stamps or frame; with mutex_ held
 
   const CameraInput& input_;
   double period_;

@@ -4,31 +4,31 @@
 #include <cstdio>
 
 #include "monocular_eye_hand/io/camera_file.h"
+#include "monocular_eye_hand/io/grey_pixels.h"
 #include "monocular_eye_hand/recognition/size_check.h"
 #include "nodes/common/camera_info.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/names.h"
+#include "nodes/common/node_on.h"
 #include "nodes/common/optical_frame.h"
 #include "nodes/common/stamps.h"
-#include "nodes/recognizer/grey_image.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 constexpr int kServiceThreads = 32;  // calls that wait at the same time; more wait in line
-constexpr double kRestart = 1.0;     // time that goes back by more begins again [s]
-
-ros::NodeHandle privateNodeOn(ros::CallbackQueue* queue) {
-  ros::NodeHandle node("~");
-  node.setCallbackQueue(queue);
-  return node;
-}
 
 Recognize::Response reply(uint8_t status, const std::string& text) {
   Recognize::Response response;
   response.status = status;
   response.text = text;
   return response;
+}
+
+/// The message's bytes, not a copy.
+RawImage rawImage(const sensor_msgs::Image& message) {
+  return {message.encoding,           int(message.width),  int(message.height), message.step,
+          bool(message.is_bigendian), message.data.data(), message.data.size()};
 }
 
 std::string foundText(const std::vector<RecognizedObject>& objects) {
@@ -53,11 +53,11 @@ RecognizerNode::RecognizerNode(const Recognizer& recognizer, const RecognizerPar
       parameters_(parameters),
       tracker_(recognizer.models(), parameters.instances),
       outputs_(recognizer.models(), parameters),
-      input_(parameters.rectified ? ImageKind::kRectified : ImageKind::kRaw, parameters.image_transport),
+      input_(kind(), parameters.image_transport),
       diagnostics_(input_, parameters.diagnostic_period,
                    [this] { return !parameters_.on_request || !requests_.empty(); }),
       support_(parameters.support),
-      service_node_(privateNodeOn(&service_queue_)),
+      service_node_(nodeOn(&service_queue_, "~")),
       service_spinner_(kServiceThreads, &service_queue_) {
   fixed_frames_subscriber_ = node_.subscribe("/tf_static", 100, &RecognizerNode::onFixedFrames, this);
   worker_ = std::thread(&RecognizerNode::work, this);
@@ -156,12 +156,11 @@ WorkedImage RecognizerNode::prepare(const CameraFrame& frame) const {
   if (image.header.frame_id.empty())
     throw BadImage(
         "header.frame_id is empty: set the frame in the camera's driver, or the parameter camera_frame");
-  image.grey = greyImage(frame.image)->image;
+  image.grey = greyPixels(rawImage(*frame.image));
   if (!frame.info)
     throw BadCameraInfo("none was received, " + std::to_string(input_.infoPublishers()) +
                         " publishers: calibrate the camera, and remap camera_info if it has another name");
-  image.camera = cameraFromInfo(*frame.info, parameters_.rectified ? ImageKind::kRectified : ImageKind::kRaw,
-                                image.grey.cols, image.grey.rows);
+  image.camera = cameraOf(fromMessage(*frame.info), kind(), image.grey.cols, image.grey.rows);
   return image;
 }
 
@@ -198,8 +197,8 @@ bool RecognizerNode::fromBeforeRestart(const WorkedImage& image) const {
   if (image.restarts != input_.restarts()) return true;
   const ros::Time now = ros::Time::now();
   if (!ros::Time::isSimTime() || now.isZero()) return false;
-  const bool clock_went_back = secondsBetween(now, image.clock) > kRestart;
-  const bool late = secondsBetween(now, image.header.stamp) > kRestart && !input_.stampsInFuture();
+  const bool clock_went_back = secondsBetween(now, image.clock) > kTimeRestart;
+  const bool late = secondsBetween(now, image.header.stamp) > kTimeRestart && !input_.stampsInFuture();
   return clock_went_back || late;
 }
 

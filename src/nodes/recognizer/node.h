@@ -39,6 +39,7 @@ class RecognizerNode {
   std::string frameProblem(const std::string& frame) const;
   /// Header, grey image and camera of a frame; throws BadImage or BadCameraInfo.
   WorkedImage prepare(const CameraFrame& frame) const;
+  ImageKind kind() const { return parameters_.rectified ? ImageKind::kRectified : ImageKind::kRaw; }
   /// Searches, numbers what was found, publishes, and returns the service's reply.
   Recognize::Response search(WorkedImage image, const std::string& only, bool publish);
   bool onRecognize(Recognize::Request& request, Recognize::Response& response);

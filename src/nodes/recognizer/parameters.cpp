@@ -1,27 +1,16 @@
 #include "nodes/recognizer/parameters.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
-namespace {
-
-void requirePositive(const char* field, double value) {
-  if (value > 0) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be positive";
-  throw BadInput(text.str());
-}
-
-}  // namespace
 
 void SupportParameters::check() const {
-  if (!std::isfinite(height)) throw BadInput("support.height is not finite");
-  if (!(tolerance >= 0))
-    throw BadInput("support.tolerance = " + std::to_string(tolerance) + " must not be negative [m]");
-  if (!(wait >= 0)) throw BadInput("support.wait = " + std::to_string(wait) + " must not be negative [s]");
+  require(std::isfinite(height), "support.height", height, "finite");
+  require(tolerance >= 0, "support.tolerance", tolerance, "0 or more [m]");
+  require(wait >= 0, "support.wait", wait, "0 or more [s]");
 }
 
 SupportPlane supportPlane(const Rigid3& camera_from_frame, const SupportParameters& parameters) {
@@ -34,22 +23,17 @@ SupportPlane supportPlane(const Rigid3& camera_from_frame, const SupportParamete
 
 void RecognizerParameters::check() const {
   support.check();
-  if (objects.empty())
-    throw BadInput(
-        "objects is not set: give the path of the model base, e.g. config/objects.yaml of this package");
+  requireGiven("objects", objects, "the path of the model base, e.g. config/objects.yaml of this package");
   if (on_request && continuous)
     throw BadInput(
         "on_request = true needs continuous = false: either every image or those that are asked for");
+  requireGiven("image_transport", image_transport, "raw, or a transport that is installed");
+
   requirePositive("service_timeout", service_timeout);
   requirePositive("diagnostic_period", diagnostic_period);
-  if (marker_triangles < 0)
-    throw BadInput("marker_triangles = " + std::to_string(marker_triangles) + " must not be negative");
+  require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");
   requirePositive("label_height", label_height);
-  if (!(marker_lifetime >= 0))
-    throw BadInput("marker_lifetime = " + std::to_string(marker_lifetime) +
-                   " must not be negative; 0: markers stay for ever");
-  if (image_transport.empty())
-    throw BadInput("image_transport is empty: say raw, or a transport that is installed");
+  require(marker_lifetime >= 0, "marker_lifetime", marker_lifetime, "0 or more; 0: markers stay for ever");
 }
 
 }  // namespace monocular_eye_hand

@@ -8,7 +8,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kPoll = 0.005;      // while waiting for a transform [s]
-constexpr double kTellAgain = 10.0;  // that there is none [s]
+constexpr double kWarnAgain = 10.0;  // that there is none [s]
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::optional<SupportPlane> SupportInput::at(const std_msgs::Header& image) {
         transforms_->buffer.lookupTransform(image.frame_id, parameters_.frame, image.stamp);
     return supportPlane(fromTransform(transform.transform), parameters_);
   } catch (const tf2::TransformException& e) {
-    ROS_WARN_THROTTLE(kTellAgain,
+    ROS_WARN_THROTTLE(kWarnAgain,
                       "the support plane is not known, recognition goes on without it: no transform "
                       "from %s to %s at the image's stamp: %s",
                       parameters_.frame.c_str(), image.frame_id.c_str(), e.what());

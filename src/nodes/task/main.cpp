@@ -8,11 +8,8 @@
 #include <mutex>
 
 #include "monocular_eye_hand/model/model_base.h"
-#include "nodes/common/command_line.h"
 #include "nodes/common/conversion.h"
-#include "nodes/common/ending.h"
-#include "nodes/common/node_watch.h"
-#include "nodes/common/parameter_server.h"
+#include "nodes/common/run_node.h"
 #include "nodes/task/messages.h"
 #include "nodes/task/world.h"
 
@@ -102,43 +99,26 @@ class TaskNode {
 namespace meh = monocular_eye_hand;
 
 int main(int argc, char** argv) {
-  const meh::NodeHelp help{"task",
-                           "clears a frame of the known objects that lie in it",
-                           "eye_hand/objects, recognizer/objects, joint_states, gripper/state",
-                           "feedback and result of its action",
-                           "action ~clear_frame",
-                           "task.launch objects:=FILE.yaml urdf:=ARM.urdf",
-                           "config/task.yaml"};
-  int exit_code = 0;
-  if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::TaskParameters()), &exit_code))
-    return exit_code;
+  meh::NodeSetup setup;
+  setup.help = {"task",
+                "clears a frame of the known objects that lie in it",
+                "eye_hand/objects, recognizer/objects, joint_states, gripper/state",
+                "feedback and result of its action",
+                "action ~clear_frame",
+                "task.launch objects:=FILE.yaml urdf:=ARM.urdf",
+                "config/task.yaml"};
+  setup.ends_when_asked = true;
+  return meh::runNode<meh::TaskParameters>(
+      argc, argv, setup, [](meh::TaskParameters& parameters, const meh::NodeWatch&) {
+        parameters.base_frame = meh::withoutSlash(parameters.base_frame);
+        parameters.objects = meh::pathParameter("objects", parameters.objects);
+        parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
+        const meh::ModelBase models = meh::loadModelBase(parameters.objects, {}, parameters.cache);
 
-  // An arm that moves is stopped before the topics go away.
-  ros::init(argc, argv, "task", ros::init_options::NoSigintHandler);
-  meh::ending::takeRequests();
-  ros::NodeHandle node;  // keeps the node up
-  const meh::NodeWatch watch(meh::ending::ask);
-  try {
-    meh::TaskParameters parameters;
-    meh::readOptions(meh::privateParameters({}), &parameters);
-    parameters.base_frame = meh::withoutSlash(parameters.base_frame);
-    parameters.objects = meh::pathParameter("objects", parameters.objects);
-    parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
-    const meh::ModelBase models = meh::loadModelBase(parameters.objects, {}, parameters.cache);
-
-    ros::AsyncSpinner spinner(2);  // topics and answers arrive while the task waits for them
-    spinner.start();
-    meh::TaskNode task(models, parameters);
-    meh::ending::takeSignals();
-    ROS_INFO("ready; the frame is %s", parameters.clear_frame.frame.c_str());
-    while (ros::ok() && !meh::ending::asked()) ros::WallDuration(0.05).sleep();
-
-    task.stop();
-    ros::shutdown();
-    spinner.stop();
-    return 0;
-  } catch (const std::exception& e) {
-    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
-  }
-  return 1;
+        ros::AsyncSpinner spinner(2);  // topics and answers arrive while the task waits for them
+        spinner.start();
+        meh::TaskNode task(models, parameters);
+        meh::runUntilAsked(&spinner, "the frame is " + parameters.clear_frame.frame,
+                           [&task] { task.stop(); });
+      });
 }

@@ -11,9 +11,9 @@
 
 namespace monocular_eye_hand {
 
-/// Throws BadInput on a name that is not in the model base and on a pose that is none.
+/// Throws BadInput on a name that is not in the model base and on an invalid pose.
 MappedObject fromMessage(const LocatedObject& message, const ModelBase& models);
-/// Throws BadInput on a pose that is none and on a branch that the arm has not. The message does not tell
+/// Throws BadInput on an invalid pose and on a branch that the arm has not. The message does not tell
 /// GraspCandidate::model_grasp.
 GraspCandidate fromMessage(const GraspTarget& message);
 /// The answer to a question for the grasps of `asked`: its object is `asked`, but where eye_hand planned for

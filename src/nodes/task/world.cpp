@@ -10,9 +10,9 @@
 #include "monocular_eye_hand/geometry/length_text.h"
 #include "monocular_eye_hand/geometry/seconds_text.h"
 #include "nodes/common/action_outcome.h"
-#include "nodes/common/arm_state.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/names.h"
+#include "nodes/common/robot_messages.h"
 #include "nodes/common/stamps.h"
 #include "nodes/task/messages.h"
 
@@ -159,7 +159,7 @@ void RosTaskWorld::gripperCallback(const GripperState& message) {
 
 void RosTaskWorld::jointsCallback(const sensor_msgs::JointState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::optional<ArmState> state = arm_states_.add(message, ros::Time::now().toSec());
+  const std::optional<ArmState> state = arm_states_.add(fromMessage(message, ros::Time::now()));
   if (!state) return;  // another device's message, or not yet all of the arm
   joints_ = state->joints;
   joints_at_ = Moment::now();

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/arm/arm_state.h"
 #include "monocular_eye_hand/task/world.h"
-#include "nodes/common/arm_state.h"
 #include "nodes/common/moment.h"
 #include "nodes/task/parameters.h"
 

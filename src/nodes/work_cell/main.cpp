@@ -5,9 +5,7 @@
 #include "monocular_eye_hand/model/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/simulation/cell_scene.h"
-#include "nodes/common/command_line.h"
-#include "nodes/common/node_watch.h"
-#include "nodes/common/parameter_server.h"
+#include "nodes/common/run_node.h"
 #include "nodes/work_cell/node.h"
 
 namespace meh = monocular_eye_hand;
@@ -30,38 +28,26 @@ std::vector<meh::NamedMesh> loadMeshes(const std::string& model_base) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const meh::NodeHelp help{
-      "work_cell",
-      "plays an arm with gripper and camera over a table of parts",
-      "arm_controller/command, gripper/command, ~take_away",
-      "joint_states, gripper/state, camera/image_raw, camera/camera_info, ~truth, /clock",
-      "",
-      "work_cell.launch",
-      "config/cell.yaml (below cell)"};
-  int exit_code = 0;
-  if (meh::endsAtCommandLine(argc, argv, help, meh::writeOptions(meh::WorkCellParameters()), &exit_code))
-    return exit_code;
+  meh::NodeSetup setup;
+  setup.help = {"work_cell",
+                "plays an arm with gripper and camera over a table of parts",
+                "arm_controller/command, gripper/command, ~take_away",
+                "joint_states, gripper/state, camera/image_raw, camera/camera_info, ~truth, /clock",
+                "",
+                "work_cell.launch",
+                "config/cell.yaml (below cell)"};
+  return meh::runNode<meh::WorkCellParameters>(
+      argc, argv, setup, [](meh::WorkCellParameters& parameters, const meh::NodeWatch&) {
+        parameters.objects = meh::pathParameter("objects", parameters.objects);
+        parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
 
-  ros::init(argc, argv, "work_cell");
-  ros::NodeHandle node;  // keeps the node up
-  const meh::NodeWatch watch;
-  try {
-    meh::WorkCellParameters parameters;
-    meh::readOptions(meh::privateParameters({}), &parameters);
-    parameters.objects = meh::pathParameter("objects", parameters.objects);
-    parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
+        meh::ArmDescription arm = meh::loadArmDescription(parameters.urdf);
+        meh::requireSameArm(arm, meh::Puma560(parameters.arm));
+        meh::CellScene scene = meh::makeCellScene(parameters.cell, loadMeshes(parameters.objects));
+        const size_t objects = scene.scene.objects.size();
 
-    meh::ArmDescription arm = meh::loadArmDescription(parameters.urdf);
-    meh::requireSameArm(arm, meh::Puma560(parameters.arm));
-    meh::CellScene scene = meh::makeCellScene(parameters.cell, loadMeshes(parameters.objects));
-    const size_t objects = scene.scene.objects.size();
-
-    meh::WorkCellNode cell(meh::WorkCell(std::move(scene), std::move(arm), parameters.arm), parameters);
-    ROS_INFO("ready; %zu objects on the table", objects);
-    cell.run();
-    return 0;
-  } catch (const std::exception& e) {
-    ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), e.what());
-  }
-  return 1;
+        meh::WorkCellNode cell(meh::WorkCell(std::move(scene), std::move(arm), parameters.arm), parameters);
+        ROS_INFO("ready; %zu objects on the table", objects);
+        cell.run();
+      });
 }

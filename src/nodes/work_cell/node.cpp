@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/common/names.h"
@@ -14,31 +13,30 @@ namespace {
 
 constexpr double kFirstTime = 1;  // cell time of the first message [s]: to ROS, time 0 means "not known yet"
 
-int64_t nanoseconds(double seconds) { return int64_t(std::llround(seconds * 1e9)); }
-
 double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-}  // namespace
-
-WorkCellNode::Instants::Instants(double rate)
-    : period_(nanoseconds(1 / rate)), next_(nanoseconds(kFirstTime)) {}
-
-bool WorkCellNode::Instants::pass(int64_t now) {
-  if (now < next_) return false;
-  next_ += period_;
-  return true;
+JointCommand fromMessage(const trajectory_msgs::JointTrajectory& message) {
+  JointCommand command;
+  command.stamp = message.header.stamp.toSec();
+  command.joint_names = message.joint_names;
+  for (const trajectory_msgs::JointTrajectoryPoint& point : message.points)
+    command.points.push_back(
+        {point.time_from_start.toSec(), point.positions, point.velocities, point.accelerations});
+  return command;
 }
+
+}  // namespace
 
 WorkCellNode::WorkCellNode(WorkCell cell, const WorkCellParameters& parameters)
     : images_in_motion_(parameters.images_in_motion),
       cell_(std::move(cell)),
       outputs_(cell_, parameters.camera_threads),
       pace_(parameters.real_time_factor),
-      joint_instants_(parameters.joint_rate),
-      camera_instants_(parameters.camera_rate),
-      truth_instants_(parameters.truth_rate) {
+      joint_instants_(parameters.joint_rate, nanosecondsOf(kFirstTime)),
+      camera_instants_(parameters.camera_rate, nanosecondsOf(kFirstTime)),
+      truth_instants_(parameters.truth_rate, nanosecondsOf(kFirstTime)) {
   cell_.advance(kFirstTime);
   trajectory_subscriber_ = node_.subscribe(names::kArmCommand, 10, &WorkCellNode::onTrajectory, this);
   width_subscriber_ = node_.subscribe(names::kGripperCommand, 10, &WorkCellNode::onWidth, this);
@@ -46,11 +44,11 @@ WorkCellNode::WorkCellNode(WorkCell cell, const WorkCellParameters& parameters)
       ros::NodeHandle("~").subscribe(names::kTakeAway, 10, &WorkCellNode::onTakeAway, this);
 }
 
-int64_t WorkCellNode::now() const { return nanoseconds(cell_.time()); }
+Nanoseconds WorkCellNode::now() const { return nanosecondsOf(cell_.time()); }
 
-int64_t WorkCellNode::nextInstant() const {
-  int64_t next = std::min({joint_instants_.next(), camera_instants_.next(), truth_instants_.next()});
-  if (waiting_) next = std::min(next, nanoseconds(waiting_->start));
+Nanoseconds WorkCellNode::nextInstant() const {
+  Nanoseconds next = std::min({joint_instants_.next(), camera_instants_.next(), truth_instants_.next()});
+  if (waiting_) next = std::min(next, nanosecondsOf(waiting_->start));
   return std::max(next, now());
 }
 
@@ -73,7 +71,7 @@ void WorkCellNode::takeCommands() {
 }
 
 void WorkCellNode::startWaiting() {
-  if (!waiting_ || nanoseconds(waiting_->start) > now()) return;
+  if (!waiting_ || nanosecondsOf(waiting_->start) > now()) return;
   cell_.commandArm(waiting_->path);
   waiting_.reset();
 }
@@ -100,7 +98,7 @@ void WorkCellNode::run() {
 
 void WorkCellNode::onTrajectory(const trajectory_msgs::JointTrajectory& message) {
   try {
-    const ArmCommand command = armCommand(message, cell_.time());
+    const ArmCommand command = armCommand(fromMessage(message), cell_.time());
     waiting_.reset();
     if (command.start > cell_.time())
       waiting_ = command;

@@ -4,13 +4,12 @@
 #include <std_msgs/String.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
-#include <cstdint>
 #include <optional>
 
 #include "monocular_eye_hand/simulation/cell.h"
-#include "nodes/work_cell/command.h"
+#include "monocular_eye_hand/simulation/cell_command.h"
+#include "monocular_eye_hand/simulation/cell_pace.h"
 #include "nodes/work_cell/outputs.h"
-#include "nodes/work_cell/pace.h"
 #include "nodes/work_cell/parameters.h"
 
 namespace monocular_eye_hand {
@@ -25,20 +24,8 @@ class WorkCellNode {
   void run();
 
  private:
-  /// A row of evenly spaced instants of cell time.
-  class Instants {
-   public:
-    explicit Instants(double rate);
-    int64_t next() const { return next_; }  ///< [ns]
-    /// Whether `now` [ns] is the next one; then it is over.
-    bool pass(int64_t now);
-
-   private:
-    int64_t period_, next_;
-  };
-
-  int64_t now() const;  ///< cell time [ns]
-  int64_t nextInstant() const;
+  Nanoseconds now() const;  ///< cell time
+  Nanoseconds nextInstant() const;
   /// Commands that come until the cell may go on to the next instant, and at least those that are there.
   void takeCommands();
   void startWaiting();
@@ -53,7 +40,7 @@ class WorkCellNode {
   WorkCell cell_;
   WorkCellOutputs outputs_;
   CellPace pace_;
-  Instants joint_instants_, camera_instants_, truth_instants_;
+  CellInstants joint_instants_, camera_instants_, truth_instants_;
   std::optional<ArmCommand> waiting_;  // its start is still to come
   ros::NodeHandle node_;
   ros::Subscriber trajectory_subscriber_, width_subscriber_, take_away_subscriber_;

@@ -7,9 +7,8 @@
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/image_encodings.h>
 
-#include <cmath>
-#include <cstdio>
-
+#include "monocular_eye_hand/arm/arm_state.h"
+#include "monocular_eye_hand/geometry/nanoseconds.h"
 #include "nodes/common/camera_info.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/names.h"
@@ -19,28 +18,7 @@ namespace {
 
 ros::Time stamp(double cell_time) {
   ros::Time time;
-  return time.fromNSec(uint64_t(std::llround(cell_time * 1e9)));
-}
-
-/// Everything that the camera can see move.
-std::vector<double> visibleState(const WorkCell& cell) {
-  std::vector<double> state(cell.joints().data(), cell.joints().data() + 6);
-  state.push_back(cell.gripperWidth());
-  for (const SceneObject& object : cell.scene().scene.objects) {
-    const Rigid3& pose = object.world_from_object;
-    state.insert(state.end(), pose.rotation.data(), pose.rotation.data() + 9);
-    state.insert(state.end(), pose.translation.data(), pose.translation.data() + 3);
-  }
-  return state;
-}
-
-std::string textOf(const CellEvent& event) {
-  char time[32];
-  std::snprintf(time, sizeof time, "%.3f s: ", event.time);
-  std::string text = time + std::string(name(event.kind)) + ": " + event.first;
-  if (!event.second.empty())
-    text += (event.kind == CellEvent::Kind::kRested ? " on " : " with ") + event.second;
-  return event.text.empty() ? text : text + ", " + event.text;
+  return time.fromNSec(uint64_t(nanosecondsOf(cell_time)));
 }
 
 void report(const CellEvent& event, const std::string& text) {
@@ -53,7 +31,10 @@ void report(const CellEvent& event, const std::string& text) {
 }  // namespace
 
 WorkCellOutputs::WorkCellOutputs(const WorkCell& cell, int camera_threads)
-    : cell_(cell), camera_(cell, camera_threads), info_(toCameraInfo(camera_.camera())), private_node_("~") {
+    : cell_(cell),
+      camera_(cell, camera_threads),
+      info_(toMessage(calibrationOf(camera_.camera()))),
+      private_node_("~") {
   clock_publisher_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);
   joint_publisher_ = node_.advertise<sensor_msgs::JointState>(names::kJointStates, 100);
   gripper_publisher_ = node_.advertise<GripperState>(names::kGripperState, 100);
@@ -79,7 +60,7 @@ void WorkCellOutputs::joints() {
   sensor_msgs::JointState joints;
   joints.header = header("");
   for (int j = 0; j < 6; ++j) {
-    joints.name.push_back(names::kArmJoints[j]);
+    joints.name.push_back(armJointNames()[size_t(j)]);
     joints.position.push_back(cell_.joints()[j]);
     joints.velocity.push_back(cell_.velocities()[j]);
   }
@@ -98,21 +79,13 @@ void WorkCellOutputs::joints() {
   gripper_publisher_.publish(gripper);
 }
 
-const cv::Mat& WorkCellOutputs::picture() {
-  std::vector<double> state = visibleState(cell_);
-  if (picture_.empty() || state != seen_) {
-    picture_ = camera_.capture(cell_).grey;
-    seen_ = std::move(state);
-  }
-  return picture_;
-}
-
 void WorkCellOutputs::camera() {
   info_.header = header(names::kCameraFrame);
   info_publisher_.publish(info_);
   if (image_publisher_.getNumSubscribers() == 0) return;
   image_publisher_.publish(
-      cv_bridge::CvImage(info_.header, sensor_msgs::image_encodings::MONO8, picture()).toImageMsg());
+      cv_bridge::CvImage(info_.header, sensor_msgs::image_encodings::MONO8, camera_.grey(cell_))
+          .toImageMsg());
 }
 
 void WorkCellOutputs::truth() {
@@ -133,8 +106,8 @@ void WorkCellOutputs::truth() {
   }
 
   message.collisions = cell_.collisions();
-  for (; told_events_ < cell_.events().size(); ++told_events_) {
-    const CellEvent& event = cell_.events()[told_events_];
+  for (; published_events_ < cell_.events().size(); ++published_events_) {
+    const CellEvent& event = cell_.events()[published_events_];
     message.events.push_back(textOf(event));
     report(event, message.events.back());
   }

@@ -4,7 +4,6 @@
 #include <sensor_msgs/CameraInfo.h>
 
 #include <memory>
-#include <vector>
 
 #include "monocular_eye_hand/simulation/cell_camera.h"
 
@@ -18,23 +17,19 @@ class WorkCellOutputs {
 
   void clock();
   void joints();  ///< joint_states and gripper/state
-  /// camera_info, and the image when someone listens. A cell that has not changed is not rendered again: its
-  /// image would be the same.
+  /// camera_info, and the image when someone listens.
   void camera();
   /// Events are logged, too.
   void truth();
-  bool newEvents() const { return told_events_ < cell_.events().size(); }
+  bool newEvents() const { return published_events_ < cell_.events().size(); }
 
  private:
   std_msgs::Header header(const char* frame) const;
-  const cv::Mat& picture();
 
   const WorkCell& cell_;
   CellCamera camera_;
   sensor_msgs::CameraInfo info_;
-  std::vector<double> seen_;  // state of the last picture
-  cv::Mat picture_;
-  size_t told_events_ = 0;
+  size_t published_events_ = 0;
   ros::NodeHandle node_, private_node_;
   ros::Publisher clock_publisher_, joint_publisher_, gripper_publisher_, info_publisher_, truth_publisher_;
   image_transport::Publisher image_publisher_;

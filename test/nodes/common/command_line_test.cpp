@@ -18,19 +18,17 @@ using testing::HasSubstr;
 const NodeHelp kHelp{"some_node",    "does something", "image_raw", "~objects",
                      "service ~ask", "some.launch",    ""};
 
-bool ends(std::vector<const char*> arguments, int* exit_code) {
+std::optional<int> exitCode(std::vector<const char*> arguments) {
   arguments.insert(arguments.begin(), "some_node");
-  return endsAtCommandLine(int(arguments.size()), const_cast<char**>(arguments.data()), kHelp,
-                           writeOptions(ImageSourceParameters()), exit_code);
+  return exitAtCommandLine(int(arguments.size()), const_cast<char**>(arguments.data()), kHelp,
+                           writeOptions(ImageSourceParameters()));
 }
 
 TEST(CommandLine, HelpNamesJobTopicsAndParameters) {
   for (const char* flag : {"--help", "-h"}) {
-    int exit_code = 7;
     testing::internal::CaptureStdout();
-    EXPECT_TRUE(ends({flag}, &exit_code));
+    EXPECT_EQ(exitCode({flag}), 0);
     const std::string text = testing::internal::GetCapturedStdout();
-    EXPECT_EQ(exit_code, 0);
     for (const char* part : {"does something", "image_raw", "~objects", "service ~ask", "some.launch",
                              "frame_id: \"camera\"", "loop: true"})
       EXPECT_THAT(text, HasSubstr(part));
@@ -38,18 +36,14 @@ TEST(CommandLine, HelpNamesJobTopicsAndParameters) {
 }
 
 TEST(CommandLine, WhatRosGivesIsNoArgument) {
-  int exit_code = 7;
-  EXPECT_FALSE(ends({}, &exit_code));
-  EXPECT_FALSE(ends({"__name:=other", "__log:=/dev/null", "_source:=a.png", "image_raw:=b"}, &exit_code));
-  EXPECT_EQ(exit_code, 7);
+  EXPECT_FALSE(exitCode({}));
+  EXPECT_FALSE(exitCode({"__name:=other", "__log:=/dev/null", "_source:=a.png", "image_raw:=b"}));
 }
 
 TEST(CommandLine, OtherArgumentsAreRefused) {
   for (const char* wrong : {"objects.yaml", "--objects"}) {
-    int exit_code = 0;
     testing::internal::CaptureStderr();
-    EXPECT_TRUE(ends({"__name:=other", wrong}, &exit_code));
-    EXPECT_EQ(exit_code, 1);
+    EXPECT_EQ(exitCode({"__name:=other", wrong}), 1);
     EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(std::string("'") + wrong + "'"));
   }
 }

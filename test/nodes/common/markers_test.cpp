@@ -140,7 +140,7 @@ TEST(Markers, AmbiguousObjectsAreEdgesAndSaySo) {
 TEST(Markers, LargeMeshesAreShownByTheirEdges) {
   const ModelBase models = twoObjects();
   MarkerStyle style;
-  style.most_triangles = 1;
+  style.max_triangles = 1;
   const Marker edges = shownOnce(models, style, {seen(0)}).at("bridge 0");
   EXPECT_EQ(edges.type, Marker::LINE_LIST);
   EXPECT_EQ(edges.points.size(), 2u);

@@ -8,8 +8,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-GripperState state(double width, bool stalled) {
-  GripperState gripper;
+GripperReading state(double width, bool stalled) {
+  GripperReading gripper;
   gripper.width = width;
   gripper.stalled = stalled;
   return gripper;

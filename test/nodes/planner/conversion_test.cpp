@@ -4,7 +4,6 @@
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "nodes/common/arm_state.h"
 #include "nodes/common/conversion.h"
 #include "nodes/planner/conversion.h"
 
@@ -32,34 +31,6 @@ geometry_msgs::Pose poseAt(double x) {
   pose.position.x = x;
   pose.orientation.w = 1;
   return pose;
-}
-
-TEST(PlannerConversion, ArmState) {
-  sensor_msgs::JointState message;
-  message.header.stamp = ros::Time(7.5);
-  message.name = {"finger", "joint6", "joint5", "joint4", "joint3", "joint2", "joint1"};
-  message.position = {9, 6, 5, 4, 3, 2, 1};
-  const auto added = [&message] { return ArmStates().add(message, 8); };
-  std::optional<ArmState> state = added();
-  ASSERT_TRUE(state);
-  EXPECT_EQ(state->stamp, 7.5);
-  EXPECT_FALSE(state->has_speeds);
-  for (int i = 0; i < 6; ++i) EXPECT_EQ(state->joints[i], i + 1);
-
-  message.velocity = {9, -6, -5, -4, -3, -2, -1};
-  state = added();
-  ASSERT_TRUE(state);
-  EXPECT_TRUE(state->has_speeds);
-  EXPECT_EQ(state->speeds[2], -3);
-
-  message.position[3] = NAN;
-  EXPECT_FALSE(added());
-  message.position[3] = 4;
-  message.name[3] = "other";
-  EXPECT_FALSE(added());
-  message.name[3] = "joint4";
-  message.position.resize(6);
-  EXPECT_FALSE(added());
 }
 
 TEST(PlannerConversion, TrajectoryStartsAtItsSecondPoint) {

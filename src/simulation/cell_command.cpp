@@ -1,11 +1,11 @@
-#include "nodes/work_cell/command.h"
+#include "monocular_eye_hand/simulation/cell_command.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "monocular_eye_hand/arm/arm_state.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "nodes/common/names.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -19,9 +19,9 @@ Order orderOf(const std::vector<std::string>& joints) {
   std::string given;
   for (const std::string& name : joints) given += (given.empty() ? "" : ", ") + name;
   for (size_t j = 0; j < 6; ++j) {
-    const auto place = std::find(joints.begin(), joints.end(), names::kArmJoints[j]);
+    const auto place = std::find(joints.begin(), joints.end(), armJointNames()[j]);
     if (place == joints.end())
-      throw BadInput(std::string("joint_names lacks ") + names::kArmJoints[j] + " (given: " + given +
+      throw BadInput("joint_names lacks " + armJointNames()[j] + " (given: " + given +
                      "): name joint1 to joint6, each once");
     order[j] = size_t(place - joints.begin());
   }
@@ -45,13 +45,13 @@ std::vector<double> ordered(const std::vector<double>& values, const Order& orde
   return out;
 }
 
-std::vector<CellPathPoint> pathOf(const trajectory_msgs::JointTrajectory& trajectory) {
+std::vector<CellPathPoint> pathOf(const JointCommand& trajectory) {
   const Order order = orderOf(trajectory.joint_names);
   std::vector<CellPathPoint> path;
   for (size_t k = 0; k < trajectory.points.size(); ++k) {
-    const trajectory_msgs::JointTrajectoryPoint& point = trajectory.points[k];
+    const JointCommand::Point& point = trajectory.points[k];
     CellPathPoint out;
-    out.time = point.time_from_start.toSec();
+    out.time = point.time;
     if (out.time < 0 || (k > 0 && out.time <= path.back().time))
       throw BadInput("points[" + std::to_string(k) + "].time_from_start = " + std::to_string(out.time) +
                      " s must not be negative and must grow from point to point");
@@ -67,18 +67,18 @@ std::vector<CellPathPoint> pathOf(const trajectory_msgs::JointTrajectory& trajec
 
 }  // namespace
 
-ArmCommand armCommand(const trajectory_msgs::JointTrajectory& trajectory, double now) {
+ArmCommand armCommand(const JointCommand& trajectory, double now) {
   ArmCommand command{now, {}};
   if (trajectory.points.empty()) return command;
   command.path = pathOf(trajectory);
-  if (trajectory.header.stamp.isZero()) return command;
+  if (trajectory.stamp == 0) return command;
 
-  const double ahead = trajectory.header.stamp.toSec() - now;
+  const double ahead = trajectory.stamp - now;
   if (ahead > kLongestWait)
     throw BadInput("header.stamp lies " + std::to_string(ahead) +
                    " s ahead: stamp it with cell time (use_sim_time), or with 0 for at once");
   if (ahead >= 0) {
-    command.start = trajectory.header.stamp.toSec();
+    command.start = trajectory.stamp;
     return command;
   }
 

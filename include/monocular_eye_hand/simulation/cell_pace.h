@@ -1,4 +1,5 @@
 #pragma once
+#include "monocular_eye_hand/geometry/nanoseconds.h"
 
 namespace monocular_eye_hand {
 
@@ -17,6 +18,19 @@ class CellPace {
   double factor_;
   bool anchored_ = false;
   double anchor_cell_ = 0, anchor_now_ = 0;  // cell time and time that belong together
+};
+
+/// A row of evenly spaced instants of cell time, at which something is due.
+class CellInstants {
+ public:
+  /// `rate` [Hz]; `first`: the first instant.
+  CellInstants(double rate, Nanoseconds first);
+  Nanoseconds next() const { return next_; }
+  /// Whether the next one has come; then it is over.
+  bool pass(Nanoseconds now);
+
+ private:
+  Nanoseconds period_, next_;
 };
 
 }  // namespace monocular_eye_hand

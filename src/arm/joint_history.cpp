@@ -1,61 +1,53 @@
-#include "nodes/eye_hand/joint_history.h"
+#include "monocular_eye_hand/arm/joint_history.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "nodes/common/stamps.h"
-
 namespace monocular_eye_hand {
-namespace {
 
-constexpr double kRestart = 1.0;  // time that goes back by more was set back on purpose [s]
-
-}  // namespace
-
-void JointHistory::add(const sensor_msgs::JointState& message, const ros::Time& now) {
-  const ros::Time stamp = message.header.stamp.isZero() ? now : message.header.stamp;
+void JointHistory::add(const JointSample& sample) {
   std::string problem;
   std::vector<std::pair<size_t, double>> angles;
   for (size_t k = 0; k < names_.size() && problem.empty(); ++k) {
-    const auto name = std::find(message.name.begin(), message.name.end(), names_[k]);
-    if (name == message.name.end()) continue;
-    const size_t index = size_t(name - message.name.begin());
-    if (index >= message.position.size())
+    const auto name = std::find(sample.names.begin(), sample.names.end(), names_[k]);
+    if (name == sample.names.end()) continue;
+    const size_t index = size_t(name - sample.names.begin());
+    if (index >= sample.positions.size())
       problem = "the messages have no position of " + names_[k];
-    else if (!std::isfinite(message.position[index]))
+    else if (!std::isfinite(sample.positions[index]))
       problem = "the position of " + names_[k] + " is not finite";
     else
-      angles.emplace_back(k, message.position[index]);
+      angles.emplace_back(k, sample.positions[index]);
   }
 
-  std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   any_ = true;
   if (!problem.empty() || !angles.empty()) problem_ = problem;
   if (!problem.empty()) return;
-  for (const auto& [joint, angle] : angles) addAngle(joint, {stamp, angle});
+  for (const auto& [joint, angle] : angles) addAngle(joint, {sample.stamp, angle});
 }
 
 void JointHistory::addAngle(size_t joint, const Entry& entry) {
   std::deque<Entry>& entries = entries_[joint];
   if (!entries.empty() && entry.stamp <= entries.back().stamp) {
-    if (secondsBetween(entry.stamp, entries.back().stamp) <= kRestart) return;
+    if (secondsBetween(entry.stamp, entries.back().stamp) <= kTimeRestart) return;
     entries.clear();
   }
   entries.push_back(entry);
   while (secondsBetween(entries.front().stamp, entries.back().stamp) > memory_) entries.pop_front();
 }
 
-JointHistory::Match JointHistory::angleAt(size_t joint, const ros::Time& stamp, double max_gap,
+JointHistory::Match JointHistory::angleAt(size_t joint, Nanoseconds stamp, double max_gap,
                                           double* angle) const {
   const std::deque<Entry>& entries = entries_[joint];
   const auto after = std::lower_bound(entries.begin(), entries.end(), stamp,
-                                      [](const Entry& e, const ros::Time& t) { return e.stamp < t; });
+                                      [](const Entry& e, Nanoseconds t) { return e.stamp < t; });
   const Entry* next = after == entries.end() ? nullptr : &*after;
   const Entry* last = after == entries.begin() ? nullptr : &*(after - 1);
   if (next && next->stamp == stamp) last = next;
+
   const double to_next = next ? secondsBetween(stamp, next->stamp) : max_gap + 1;
   const double to_last = last ? secondsBetween(last->stamp, stamp) : max_gap + 1;
   if (to_next <= max_gap && to_last <= max_gap) {
@@ -63,47 +55,49 @@ JointHistory::Match JointHistory::angleAt(size_t joint, const ros::Time& stamp, 
     *angle = last->angle + share * (next->angle - last->angle);
     return Match::kBetween;
   }
+
   if (std::min(to_next, to_last) > max_gap) return Match::kNone;
   *angle = to_next < to_last ? next->angle : last->angle;
   return Match::kNear;
 }
 
-JointHistory::Match JointHistory::at(const ros::Time& stamp, double max_gap, JointVector* joints) const {
-  std::lock_guard<std::mutex> lock(mutex_);
-  Match worst = Match::kBetween;
+JointHistory::Found JointHistory::at(Nanoseconds stamp, double max_gap) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Found found{Match::kBetween, JointVector::Zero()};
   for (size_t k = 0; k < entries_.size(); ++k)
-    worst = std::min(worst, angleAt(k, stamp, max_gap, &(*joints)[int(k)]));
-  return worst;
+    found.match = std::min(found.match, angleAt(k, stamp, max_gap, &found.joints[int(k)]));
+  return found;
 }
 
-double JointHistory::speedAt(const ros::Time& stamp, double span, double max_gap) const {
-  JointVector here, there;
-  if (at(stamp, max_gap, &here) != Match::kBetween) return 0;
+double JointHistory::speedAt(Nanoseconds stamp, double span, double max_gap) const {
+  const Found here = at(stamp, max_gap);
+  if (here.match != Match::kBetween) return 0;
+
   std::optional<double> slower;
   for (const double side : {-span, span}) {
-    if (stamp.toSec() + side < 0 || at(stamp + ros::Duration(side), max_gap, &there) != Match::kBetween)
-      continue;
-    const double speed = (there - here).cwiseAbs().maxCoeff() / span;
+    if (secondsOf(stamp) + side < 0) continue;
+    const Found there = at(stamp + nanosecondsOf(side), max_gap);
+    if (there.match != Match::kBetween) continue;
+    const double speed = (there.joints - here.joints).cwiseAbs().maxCoeff() / span;
     slower = slower ? std::min(*slower, speed) : speed;
   }
   return slower.value_or(0);
 }
 
-bool JointHistory::latest(JointVector* joints, ros::Time* stamp) const {
-  std::lock_guard<std::mutex> lock(mutex_);
-  ros::Time oldest;
+std::optional<JointHistory::Latest> JointHistory::latest() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Latest latest;
   for (size_t k = 0; k < entries_.size(); ++k) {
-    if (entries_[k].empty()) return false;
+    if (entries_[k].empty()) return std::nullopt;
     const Entry& last = entries_[k].back();
-    (*joints)[int(k)] = last.angle;
-    if (k == 0 || last.stamp < oldest) oldest = last.stamp;
+    latest.joints[int(k)] = last.angle;
+    latest.stamp = k == 0 ? last.stamp : std::min(latest.stamp, last.stamp);
   }
-  *stamp = oldest;
-  return true;
+  return latest;
 }
 
 std::string JointHistory::problem() const {
-  std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (!any_) return "no message came";
   if (!problem_.empty()) return problem_;
   std::string missing;

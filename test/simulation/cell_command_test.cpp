@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "nodes/work_cell/command.h"
+#include "monocular_eye_hand/simulation/cell_command.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -16,21 +16,21 @@ using testing::IsEmpty;
 
 constexpr double kNow = 100;
 
-trajectory_msgs::JointTrajectoryPoint point(double time, const std::vector<double>& positions) {
-  trajectory_msgs::JointTrajectoryPoint out;
-  out.time_from_start = ros::Duration(time);
+JointCommand::Point point(double time, const std::vector<double>& positions) {
+  JointCommand::Point out;
+  out.time = time;
   out.positions = positions;
   return out;
 }
 
-trajectory_msgs::JointTrajectory good() {
-  trajectory_msgs::JointTrajectory out;
+JointCommand good() {
+  JointCommand out;
   out.joint_names = {"joint3", "joint1", "joint2", "joint6", "joint5", "joint4"};
   out.points = {point(1, {0.3, 0.1, 0.2, 0.6, 0.5, 0.4}), point(2, {3, 1, 2, 6, 5, 4})};
   return out;
 }
 
-std::string refusal(const trajectory_msgs::JointTrajectory& trajectory) {
+std::string refusal(const JointCommand& trajectory) {
   try {
     armCommand(trajectory, kNow);
   } catch (const BadInput& e) {
@@ -39,8 +39,8 @@ std::string refusal(const trajectory_msgs::JointTrajectory& trajectory) {
   return "accepted";
 }
 
-TEST(WorkCellCommand, TakesJointsInAnyOrder) {
-  trajectory_msgs::JointTrajectory trajectory = good();
+TEST(CellCommand, TakesJointsInAnyOrder) {
+  JointCommand trajectory = good();
   trajectory.points[1].velocities = {30, 10, 20, 60, 50, 40};
   trajectory.points[1].accelerations = {-3, -1, -2, -6, -5, -4};
   const ArmCommand command = armCommand(trajectory, kNow);
@@ -55,36 +55,36 @@ TEST(WorkCellCommand, TakesJointsInAnyOrder) {
   EXPECT_THAT(command.path[1].accelerations, ElementsAre(-1, -2, -3, -4, -5, -6));
 }
 
-TEST(WorkCellCommand, NoPointsStop) {
+TEST(CellCommand, NoPointsStop) {
   EXPECT_THAT(armCommand({}, kNow).path, IsEmpty());
-  trajectory_msgs::JointTrajectory late;
-  late.header.stamp = ros::Time(kNow - 5);
+  JointCommand late;
+  late.stamp = kNow - 5;
   EXPECT_EQ(armCommand(late, kNow).start, kNow);
 }
 
-TEST(WorkCellCommand, WaitsForAStampInTheFuture) {
-  trajectory_msgs::JointTrajectory trajectory = good();
-  trajectory.header.stamp = ros::Time(kNow + 2.5);
+TEST(CellCommand, WaitsForAStampInTheFuture) {
+  JointCommand trajectory = good();
+  trajectory.stamp = kNow + 2.5;
   EXPECT_EQ(armCommand(trajectory, kNow).start, kNow + 2.5);
   EXPECT_EQ(armCommand(trajectory, kNow).path[0].time, 1);
-  trajectory.header.stamp = ros::Time(1.7e9);
+  trajectory.stamp = 1.7e9;
   EXPECT_THAT(refusal(trajectory), HasSubstr("use_sim_time"));
 }
 
-TEST(WorkCellCommand, LeavesOutWhatIsOver) {
-  trajectory_msgs::JointTrajectory trajectory = good();
-  trajectory.header.stamp = ros::Time(kNow - 1.5);
+TEST(CellCommand, LeavesOutWhatIsOver) {
+  JointCommand trajectory = good();
+  trajectory.stamp = kNow - 1.5;
   const ArmCommand command = armCommand(trajectory, kNow);
   EXPECT_EQ(command.start, kNow);
   ASSERT_EQ(command.path.size(), 1u);
   EXPECT_NEAR(command.path[0].time, 0.5, 1e-9);
   EXPECT_EQ(command.path[0].positions[5], 6);  // the second point
-  trajectory.header.stamp = ros::Time(kNow - 2.5);
+  trajectory.stamp = kNow - 2.5;
   EXPECT_THAT(refusal(trajectory), HasSubstr("ended 0.5"));
 }
 
-TEST(WorkCellCommand, RefusesOtherJoints) {
-  trajectory_msgs::JointTrajectory trajectory = good();
+TEST(CellCommand, RefusesOtherJoints) {
+  JointCommand trajectory = good();
   trajectory.joint_names.pop_back();
   EXPECT_THAT(refusal(trajectory), HasSubstr("lacks joint4 (given: joint3, joint1, joint2, joint6, joint5)"));
   trajectory = good();
@@ -97,21 +97,21 @@ TEST(WorkCellCommand, RefusesOtherJoints) {
   EXPECT_THAT(refusal(trajectory), HasSubstr("lacks joint1"));
 }
 
-TEST(WorkCellCommand, RefusesBadPoints) {
+TEST(CellCommand, RefusesBadPoints) {
   const auto changed = [](auto change) {
-    trajectory_msgs::JointTrajectory trajectory = good();
+    JointCommand trajectory = good();
     change(&trajectory.points[1]);
     return refusal(trajectory);
   };
-  using Point = trajectory_msgs::JointTrajectoryPoint;
+  using Point = JointCommand::Point;
   EXPECT_THAT(changed([](Point* p) { p->positions.pop_back(); }),
               HasSubstr("points[1].positions holds 5 numbers"));
   EXPECT_THAT(changed([](Point* p) { p->positions[2] = std::numeric_limits<double>::quiet_NaN(); }),
               HasSubstr("points[1].positions is not finite"));
   EXPECT_THAT(changed([](Point* p) { p->velocities = {1}; }), HasSubstr("points[1].velocities holds 1"));
   EXPECT_THAT(changed([](Point* p) { p->accelerations = {1}; }), HasSubstr("points[1].accelerations"));
-  EXPECT_THAT(changed([](Point* p) { p->time_from_start = ros::Duration(1); }), HasSubstr("must grow"));
-  EXPECT_THAT(changed([](Point* p) { p->time_from_start = ros::Duration(-1); }), HasSubstr("points[1]"));
+  EXPECT_THAT(changed([](Point* p) { p->time = 1; }), HasSubstr("must grow"));
+  EXPECT_THAT(changed([](Point* p) { p->time = -1; }), HasSubstr("points[1]"));
   EXPECT_EQ(changed([](Point*) {}), "accepted");
 }
 

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "nodes/work_cell/pace.h"
+#include "monocular_eye_hand/simulation/cell_pace.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-TEST(WorkCellPace, KeepsItsFactor) {
+TEST(CellPace, KeepsItsFactor) {
   for (const double factor : {0.5, 1.0, 4.0}) {
     CellPace pace(factor);
     EXPECT_EQ(pace.wait(1.0, 50.0, true), 0);
@@ -16,7 +16,7 @@ TEST(WorkCellPace, KeepsItsFactor) {
   }
 }
 
-TEST(WorkCellPace, ZeroWaitsOnlyWhileNothingMoves) {
+TEST(CellPace, ZeroWaitsOnlyWhileNothingMoves) {
   CellPace pace(0);
   EXPECT_EQ(pace.wait(1.0, 50.0, false), 0);
   EXPECT_NEAR(pace.wait(1.1, 50.0, false), 0.1, 1e-9);
@@ -26,12 +26,22 @@ TEST(WorkCellPace, ZeroWaitsOnlyWhileNothingMoves) {
   EXPECT_NEAR(pace.wait(20.1, 50.2, false), 0.1, 1e-9);
 }
 
-TEST(WorkCellPace, DoesNotRushAfterALongDelay) {
+TEST(CellPace, DoesNotRushAfterALongDelay) {
   CellPace pace(1);
   pace.wait(1.0, 50.0, true);
   EXPECT_EQ(pace.wait(1.1, 60.0, true), 0);  // the machine was away for ten seconds
   EXPECT_EQ(pace.wait(1.1 + CellPace::kLongestLag, 60.0, true), 0);
   EXPECT_NEAR(pace.wait(1.2 + CellPace::kLongestLag, 60.0, true), 0.1, 1e-9);
+}
+
+TEST(CellInstants, AreEvenlySpacedHoweverLateSomebodyLooks) {
+  CellInstants instants(10, nanosecondsOf(1));
+  EXPECT_FALSE(instants.pass(nanosecondsOf(0.9)));
+  EXPECT_TRUE(instants.pass(nanosecondsOf(1)));
+  EXPECT_FALSE(instants.pass(nanosecondsOf(1)));
+  EXPECT_EQ(instants.next(), nanosecondsOf(1.1));
+  EXPECT_TRUE(instants.pass(nanosecondsOf(1.15)));
+  EXPECT_EQ(instants.next(), nanosecondsOf(1.2));
 }
 
 }  // namespace
