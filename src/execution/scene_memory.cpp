@@ -4,6 +4,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/model/same_place.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -64,16 +65,16 @@ Eigen::Vector3d SceneMemory::centre(const PlacedObject& object) const {
   return object.base_from_object * meshes_.at(object.name).centre;
 }
 
-/// Two poses of one thing: its views differ by less than half of its smallest side.
+/// Two poses of one thing: its views differ by no more than half of its smallest side.
 bool SceneMemory::same(const PlacedObject& a, const PlacedObject& b) const {
-  return a.name == b.name && (centre(a) - centre(b)).norm() < meshes_.at(a.name).smallest / 2;
+  return a.name == b.name && samePlace(centre(a), centre(b), meshes_.at(a.name).smallest / 2);
 }
 
-/// Something is seen where one thing is remembered; its like may have been pushed or turned a little.
+/// Something is seen where one thing is remembered; a similar one may have been pushed or turned a little.
 bool SceneMemory::standsAt(const PlacedObject& other, const PlacedObject& remembered) const {
   const Shape& shape = meshes_.at(remembered.name);
-  const double distance = (centre(other) - centre(remembered)).norm();
-  return distance < (other.name == remembered.name ? shape.radius : shape.smallest / 2);
+  const double reach = other.name == remembered.name ? shape.radius : shape.smallest / 2;
+  return samePlace(centre(remembered), centre(other), reach);
 }
 
 std::vector<std::string> SceneMemory::see(const std::vector<PlacedObject>& objects) {

@@ -52,20 +52,20 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   ViewReport report;
   report.decisions.resize(view.objects.size());
   for (size_t i = 0; i < view.objects.size(); ++i) report.decisions[i].object = view.objects[i].object;
-  if (started_ && view.stamp <= last_stamp_) {
+  if (any_view_ && view.stamp <= last_stamp_) {
     report.refused = "the view of " + secondsText(view.stamp) + " is not newer than the last one of " +
                      secondsText(last_stamp_) + "; clear the map when time starts again";
     for (ViewDecision& decision : report.decisions) decision.reason = report.refused;
     return report;
   }
 
-  started_ = true;
+  any_view_ = true;
   last_stamp_ = view.stamp;
   hand_eye_covariance_ = view.hand_eye.covariance.isZero(0)
                              ? handEye(view.hand_eye.tool0_from_camera, options_.hand_eye).covariance
                              : view.hand_eye.covariance;
 
-  std::vector<Sighting> sightings, impossible_ones;
+  std::vector<Observation> observations, impossible_observations;
   std::vector<size_t> source;
   for (size_t i = 0; i < view.objects.size(); ++i) {
     if (view.objects[i].probability < options_.min_probability) {
@@ -75,33 +75,33 @@ ViewReport ObjectMap::add(const ObjectView& view) {
       report.decisions[i].reason = text.str();
       continue;
     }
-    const Sighting seen = sighting(view, view.objects[i]);
+    const Observation seen = observationOf(view, view.objects[i]);
     if (const std::string why = impossible(seen, view.known); !why.empty()) {
       report.decisions[i].reason = why;
       report.decisions[i].impossible = true;
-      impossible_ones.push_back(seen);
+      impossible_observations.push_back(seen);
       continue;
     }
-    sightings.push_back(seen);
+    observations.push_back(seen);
     source.push_back(i);
   }
 
   std::vector<double> chi_squares;
-  const std::vector<int> track_of = associate(sightings, &chi_squares);
-  std::vector<char> met(tracks_.size(), 0);
+  const std::vector<int> track_of = associate(observations, &chi_squares);
+  std::vector<char> updated(tracks_.size(), 0);
   // A known object that is located badly once is not missed.
-  for (const Sighting& seen : impossible_ones)
+  for (const Observation& seen : impossible_observations)
     for (size_t t = 0; t < tracks_.size(); ++t)
-      if (tracks_[t].object.object == seen.object && samePlace(tracks_[t].merged, seen)) met[t] = 1;
+      if (tracks_[t].object.object == seen.object && samePlace(tracks_[t].merged, seen)) updated[t] = 1;
 
-  for (size_t k = 0; k < sightings.size(); ++k) {
+  for (size_t k = 0; k < observations.size(); ++k) {
     ViewDecision& decision = report.decisions[source[k]];
     if (track_of[k] >= 0) {
-      met[size_t(track_of[k])] = 1;
-      decision = meet(&tracks_[size_t(track_of[k])], sightings[k], chi_squares[k], view.stamp);
+      updated[size_t(track_of[k])] = 1;
+      decision = update(&tracks_[size_t(track_of[k])], observations[k], chi_squares[k], view.stamp);
     } else {
-      tracks_.push_back(started(sightings[k], view.stamp));
-      met.push_back(1);
+      tracks_.push_back(newTrack(observations[k], view.stamp));
+      updated.push_back(1);
       MappedObject& object = tracks_.back().object;
       object.number = next_number_[size_t(object.object)]++;
       decision.outcome = ViewOutcome::kNew;
@@ -111,16 +111,16 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   }
 
   findRivals();
-  countMisses(view, met, &report);
+  countMisses(view, updated, &report);
   for (Track& track : tracks_) publish(&track);
-  believe();
+  resolveConflicts();
 
   for (ViewDecision& decision : report.decisions)
     for (const Track& track : tracks_)
-      if (track.key() == Key(decision.object, decision.number) && track.yields_to)
+      if (track.key() == Key(decision.object, decision.number) && track.suppressed_by)
         decision.reason += "; not told, since " +
-                           models_->objects[size_t(track.yields_to->first)].model.name + " " +
-                           std::to_string(track.yields_to->second) + " is there";
+                           models_->objects[size_t(track.suppressed_by->first)].model.name + " " +
+                           std::to_string(track.suppressed_by->second) + " is there";
   return report;
 }
 
@@ -129,9 +129,9 @@ void ObjectMap::addFloor(Matrix6d* covariance) const {
   covariance->diagonal().tail<3>().array() += options_.floor_rotation * options_.floor_rotation;
 }
 
-ObjectMap::Sighting ObjectMap::sighting(const ObjectView& view, const SeenObject& seen) const {
+ObjectMap::Observation ObjectMap::observationOf(const ObjectView& view, const SeenObject& seen) const {
   const Chain c = chain(view.hand.base_from_tool0, view.hand_eye.tool0_from_camera, seen.camera_from_object);
-  Sighting s;
+  Observation s;
   s.object = seen.object;
   s.probability = seen.probability;
   s.base_from_object = c.base_from_object;
@@ -144,25 +144,26 @@ ObjectMap::Sighting ObjectMap::sighting(const ObjectView& view, const SeenObject
   return s;
 }
 
-ObjectMap::Sighting ObjectMap::equalSighting(const Sighting& sighting, const Rigid3& wanted) const {
-  Sighting equal = sighting;
-  equal.base_from_object = nearestEqualPose(model(sighting.object), sighting.base_from_object, wanted);
+ObjectMap::Observation ObjectMap::equalObservation(const Observation& observation,
+                                                   const Rigid3& wanted) const {
+  Observation equal = observation;
+  equal.base_from_object = nearestEqualPose(model(observation.object), observation.base_from_object, wanted);
   // A symmetry may move the object frame's origin, about which the rotations are taken.
   const Matrix6d moved =
-      motionAtOffset(equal.base_from_object.translation - sighting.base_from_object.translation);
-  equal.image = carried(moved, sighting.image);
-  equal.hand_eye = moved * sighting.hand_eye;
-  equal.joints = moved * sighting.joints;
+      motionAtOffset(equal.base_from_object.translation - observation.base_from_object.translation);
+  equal.image = carried(moved, observation.image);
+  equal.hand_eye = moved * observation.hand_eye;
+  equal.joints = moved * observation.joints;
   return equal;
 }
 
-Eigen::Vector3d ObjectMap::centreOffset(const Sighting& a, const Sighting& b) const {
-  const Rigid3 equal = equalSighting(b, a.base_from_object).base_from_object;
+Eigen::Vector3d ObjectMap::centreOffset(const Observation& a, const Observation& b) const {
+  const Rigid3 equal = equalObservation(b, a.base_from_object).base_from_object;
   return monocular_eye_hand::centreOffset(model(a.object).centre(), a.base_from_object, equal);
 }
 
-double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
-  const Sighting equal = equalSighting(b, a.base_from_object);
+double ObjectMap::chiSquare(const Observation& a, const Observation& b) const {
+  const Observation equal = equalObservation(b, a.base_from_object);
   const Vector6d gap = difference(a.base_from_object, equal.base_from_object);
   // Common errors cancel as far as both views see them alike.
   const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
@@ -173,8 +174,8 @@ double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
   return gap.dot(spread.ldlt().solve(gap));
 }
 
-bool ObjectMap::samePlace(const Sighting& a, const Sighting& b) const {
-  const Rigid3 equal = equalSighting(b, a.base_from_object).base_from_object;
+bool ObjectMap::samePlace(const Observation& a, const Observation& b) const {
+  const Rigid3 equal = equalObservation(b, a.base_from_object).base_from_object;
   const Eigen::Vector3d centre = model(a.object).centre();
   const Eigen::Vector3d reach = options_.same_place * model(a.object).bounds.sizes();
   // What things lie in is hollow: another of its size would have to go through its walls.
@@ -183,26 +184,26 @@ bool ObjectMap::samePlace(const Sighting& a, const Sighting& b) const {
   return monocular_eye_hand::samePlace(centre, a.base_from_object, equal, reach.minCoeff());
 }
 
-std::vector<int> ObjectMap::associate(const std::vector<Sighting>& sightings,
+std::vector<int> ObjectMap::associate(const std::vector<Observation>& observations,
                                       std::vector<double>* chi_squares) const {
   std::vector<std::tuple<bool, double, size_t, size_t>>
-      pairs;  // outside the gate, chi square, track, sighting
+      pairs;  // outside the gate, chi square, track, observation
   for (size_t t = 0; t < tracks_.size(); ++t) {
-    const Sighting& known = tracks_[t].merged;
-    for (size_t k = 0; k < sightings.size(); ++k) {
-      if (sightings[k].object != known.object) continue;
-      const double chi_square = chiSquare(known, sightings[k]);
+    const Observation& known = tracks_[t].merged;
+    for (size_t k = 0; k < observations.size(); ++k) {
+      if (observations[k].object != known.object) continue;
+      const double chi_square = chiSquare(known, observations[k]);
       const bool outside = !(chi_square <= options_.gate);
-      if (samePlace(known, sightings[k]) ||
-          (!outside && centreOffset(known, sightings[k]).norm() <= options_.max_distance))
+      if (samePlace(known, observations[k]) ||
+          (!outside && centreOffset(known, observations[k]).norm() <= options_.max_distance))
         pairs.emplace_back(outside, chi_square, t, k);
     }
   }
 
   std::sort(pairs.begin(), pairs.end());
-  std::vector<int> track_of(sightings.size(), -1);
+  std::vector<int> track_of(observations.size(), -1);
   std::vector<char> taken(tracks_.size(), 0);
-  chi_squares->assign(sightings.size(), -1);
+  chi_squares->assign(observations.size(), -1);
   for (const auto& [outside, chi_square, t, k] : pairs) {
     if (taken[t] || track_of[k] >= 0) continue;
     taken[t] = 1;
@@ -212,8 +213,8 @@ std::vector<int> ObjectMap::associate(const std::vector<Sighting>& sightings,
   return track_of;
 }
 
-ViewDecision ObjectMap::meet(Track* track, const Sighting& seen, double chi_square, double stamp) const {
-  if (!(chi_square <= options_.gate)) return contradict(track, seen, chi_square, stamp);
+ViewDecision ObjectMap::update(Track* track, const Observation& seen, double chi_square, double stamp) const {
+  if (!(chi_square <= options_.gate)) return handleOutlier(track, seen, chi_square, stamp);
   ViewDecision decision;
   decision.object = seen.object;
   decision.number = track->object.number;
@@ -232,15 +233,15 @@ ViewDecision ObjectMap::meet(Track* track, const Sighting& seen, double chi_squa
     decision.outcome = ViewOutcome::kSeenAgain;
     decision.reason = "seen from this camera place already, or from enough of them: it tells nothing new";
   } else {
-    merge(track, equalSighting(seen, track->merged.base_from_object));
+    merge(track, equalObservation(seen, track->merged.base_from_object));
     decision.outcome = ViewOutcome::kMerged;
     decision.reason = "agrees with " + label(track->object);
   }
   return decision;
 }
 
-ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double chi_square,
-                                   double stamp) const {
+ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, double chi_square,
+                                      double stamp) const {
   ViewDecision decision;
   decision.object = seen.object;
   decision.number = track->object.number;
@@ -249,9 +250,9 @@ ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double ch
   text << "chi-square " << chi_square << " against " << label(track->object) << " is above the gate of "
        << options_.gate;
 
-  const auto disagrees = [&](const Sighting& other) { return !(chiSquare(other, seen) <= options_.gate); };
+  const auto disagrees = [&](const Observation& other) { return !(chiSquare(other, seen) <= options_.gate); };
   if (std::any_of(track->outliers.begin(), track->outliers.end(), disagrees)) track->outliers.clear();
-  if (tellsOfChange(*track, seen.base_from_camera, placesOf(track->outliers)))
+  if (isNewEvidence(*track, seen.base_from_camera, placesOf(track->outliers)))
     track->outliers.push_back(seen);
   track->object.misses = 0;  // something of this name is there
   track->missed_from.clear();
@@ -263,14 +264,14 @@ ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double ch
   }
 
   const int number = track->object.number;
-  *track = started(seen, stamp);
+  *track = newTrack(seen, stamp);
   track->object.number = number;
   decision.outcome = ViewOutcome::kRestarted;
   decision.reason = text.str() + "; so many views in a row agree on another pose: it was moved";
   return decision;
 }
 
-ObjectMap::Track ObjectMap::started(const Sighting& seen, double stamp) const {
+ObjectMap::Track ObjectMap::newTrack(const Observation& seen, double stamp) const {
   Track track;
   const ObjectModel& shape = model(seen.object);
   track.merged = seen;
@@ -283,9 +284,9 @@ ObjectMap::Track ObjectMap::started(const Sighting& seen, double stamp) const {
   return track;
 }
 
-void ObjectMap::merge(Track* track, const Sighting& seen) const {
+void ObjectMap::merge(Track* track, const Observation& seen) const {
   const ObjectModel& shape = model(seen.object);
-  Sighting& merged = track->merged;
+  Observation& merged = track->merged;
   // Free angles agree by choice of the equal pose; freed, they keep the sum invertible.
   const Matrix6d known = freedCovariance(shape, merged.base_from_object, merged.image);
   const Matrix6d sum = known + freedCovariance(shape, seen.base_from_object, seen.image);
@@ -301,7 +302,7 @@ void ObjectMap::merge(Track* track, const Sighting& seen) const {
   ++track->object.views;
 }
 
-Matrix6d ObjectMap::totalCovariance(const Sighting& seen) const {
+Matrix6d ObjectMap::totalCovariance(const Observation& seen) const {
   const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
   Matrix6d total = seen.image + carried(seen.hand_eye, hand_eye_covariance_) +
                    carried(seen.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
@@ -309,14 +310,14 @@ Matrix6d ObjectMap::totalCovariance(const Sighting& seen) const {
   return total;
 }
 
-std::string ObjectMap::impossible(const Sighting& seen, const KnownSpace& known) {
+std::string ObjectMap::impossible(const Observation& seen, const KnownSpace& known) {
   return reachesIntoKnown(model(seen.object), core(seen.object), seen.base_from_object, totalCovariance(seen),
                           known, {options_.known_depth, options_.known_sigmas});
 }
 
 void ObjectMap::publish(Track* track) const {
   MappedObject& object = track->object;
-  const Sighting& merged = track->merged;
+  const Observation& merged = track->merged;
   const ObjectModel& shape = model(object.object);
   Matrix6d total = totalCovariance(merged);
   addFloor(&total);  // what CAD and part differ by is the same in every view
@@ -346,24 +347,26 @@ bool ObjectMap::oneOf(const std::vector<Rigid3>& base_from_cameras, const Rigid3
   });
 }
 
-std::vector<Rigid3> ObjectMap::placesOf(const std::vector<Sighting>& sightings) {
+std::vector<Rigid3> ObjectMap::placesOf(const std::vector<Observation>& observations) {
   std::vector<Rigid3> base_from_cameras;
-  for (const Sighting& sighting : sightings) base_from_cameras.push_back(sighting.base_from_camera);
+  for (const Observation& observation : observations)
+    base_from_cameras.push_back(observation.base_from_camera);
   return base_from_cameras;
 }
 
-bool ObjectMap::tellsOfChange(const Track& track, const Rigid3& base_from_camera,
-                              const std::vector<Rigid3>& told_from) const {
-  return oneOf(track.base_from_cameras, base_from_camera) || !oneOf(told_from, base_from_camera);
+bool ObjectMap::isNewEvidence(const Track& track, const Rigid3& base_from_camera,
+                              const std::vector<Rigid3>& counted_from) const {
+  return oneOf(track.base_from_cameras, base_from_camera) || !oneOf(counted_from, base_from_camera);
 }
 
-void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met, ViewReport* report) {
+void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& updated, ViewReport* report) {
   if (!view.complete) return;
   const Rigid3 base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
   std::vector<char> missed(tracks_.size());
   for (size_t t = 0; t < tracks_.size(); ++t) {
     const Track& track = tracks_[t];
-    missed[t] = !met[t] && tellsOfChange(track, base_from_camera, track.missed_from) && expected(track, view);
+    missed[t] =
+        !updated[t] && isNewEvidence(track, base_from_camera, track.missed_from) && expected(track, view);
   }
 
   std::vector<Track> kept;
@@ -374,7 +377,7 @@ void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met
     if (missed[t]) track.missed_from.push_back(base_from_camera);
     if (track.object.misses >= options_.forget_after_misses) {
       publish(&track);
-      if (!track.yields_to) report->forgotten.push_back(track.object);
+      if (!track.suppressed_by) report->forgotten.push_back(track.object);
     } else {
       kept.push_back(std::move(track));
     }
@@ -385,7 +388,7 @@ void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& met
 std::vector<MappedObject> ObjectMap::objects() const {
   std::vector<MappedObject> objects;
   for (const Track& track : tracks_)
-    if (!track.yields_to) objects.push_back(track.object);
+    if (!track.suppressed_by) objects.push_back(track.object);
   std::sort(objects.begin(), objects.end(), [](const MappedObject& a, const MappedObject& b) {
     return std::tie(a.object, a.number) < std::tie(b.object, b.number);
   });
@@ -399,16 +402,16 @@ bool ObjectMap::forget(int object, int number) {
   const auto it = std::find_if(tracks_.begin(), tracks_.end(), wanted);
   if (it == tracks_.end()) return false;
   tracks_.erase(it);
-  // What yielded to it was never there; if it is, the next view brings it again.
-  const auto yielded = [&](const Track& track) { return track.yields_to == Key(object, number); };
-  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), yielded), tracks_.end());
+  // What it suppressed was never there; if it is, the next view brings it again.
+  const auto suppressed = [&](const Track& track) { return track.suppressed_by == Key(object, number); };
+  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), suppressed), tracks_.end());
   return true;
 }
 
 void ObjectMap::clear() {
   tracks_.clear();
   std::fill(next_number_.begin(), next_number_.end(), 0);
-  started_ = false;
+  any_view_ = false;
 }
 
 }  // namespace monocular_eye_hand

@@ -49,22 +49,4 @@ void ObjectMapOptions::check() const {
           "above expected_nearest");
 }
 
-const char* name(ViewOutcome outcome) {
-  switch (outcome) {
-    case ViewOutcome::kNew:
-      return "new";
-    case ViewOutcome::kMerged:
-      return "merged";
-    case ViewOutcome::kSeenAgain:
-      return "seen again";
-    case ViewOutcome::kRestarted:
-      return "restarted";
-    case ViewOutcome::kOutlier:
-      return "outlier";
-    case ViewOutcome::kRefused:
-      return "refused";
-  }
-  return "unknown";
-}
-
 }  // namespace monocular_eye_hand

@@ -1,4 +1,4 @@
-// Two solid things are never in one place: of those that a map holds there, which is believed.
+// Two solid things are never in one place: of those that a map holds there, which is published.
 #include <algorithm>
 #include <tuple>
 
@@ -30,10 +30,10 @@ void ObjectMap::findRivals() {
       }
 }
 
-void ObjectMap::believe() {
+void ObjectMap::resolveConflicts() {
   std::vector<Track*> ranked;
   for (Track& track : tracks_) ranked.push_back(&track);
-  // What things lie in yields to none of them.
+  // What things lie in is suppressed by none of them.
   const auto rank = [this](const Track* track) {
     const MappedObject& o = track->object;
     const bool obstacle = models_->objects[size_t(o.object)].handling.obstacle;
@@ -43,15 +43,15 @@ void ObjectMap::believe() {
   std::stable_sort(ranked.begin(), ranked.end(),
                    [&](const Track* a, const Track* b) { return rank(a) < rank(b); });
 
-  std::vector<Key> believed;
+  std::vector<Key> published;
   for (Track* track : ranked) {
     const auto better =
-        std::find_first_of(believed.begin(), believed.end(), track->rivals.begin(), track->rivals.end());
-    track->yields_to.reset();
-    if (better != believed.end())
-      track->yields_to = *better;
+        std::find_first_of(published.begin(), published.end(), track->rivals.begin(), track->rivals.end());
+    track->suppressed_by.reset();
+    if (better != published.end())
+      track->suppressed_by = *better;
     else
-      believed.push_back(track->key());
+      published.push_back(track->key());
   }
 }
 

@@ -191,14 +191,14 @@ void keepBest(std::vector<ModelGrasp> of_site, const GripperOptions& gripper,
 
 /// What the object's symmetry, or the gripper's half turn, makes of a grasp that is kept already.
 std::vector<ModelGrasp> distinct(const std::vector<ModelGrasp>& grasps, const ObjectModel& model,
-                                 size_t most) {
+                                 size_t max_count) {
   Rigid3 half_turn;
   half_turn.rotation.diagonal() << -1, -1, 1;
   std::vector<ModelGrasp> kept;
   std::vector<Rigid3> known;  // every symmetric form of those
 
   for (const ModelGrasp& grasp : grasps) {
-    if (kept.size() == most) break;
+    if (kept.size() == max_count) break;
     const bool old = std::any_of(known.begin(), known.end(), [&](const Rigid3& other) {
       return (other.translation - grasp.object_from_tcp.translation).norm() < 1e-4 &&
              (other.rotation - grasp.object_from_tcp.rotation).norm() < 1e-2;

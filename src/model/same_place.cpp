@@ -6,8 +6,12 @@ Eigen::Vector3d centreOffset(const Eigen::Vector3d& centre, const Rigid3& a, con
   return b * centre - a * centre;
 }
 
+bool samePlace(const Eigen::Vector3d& centre_a, const Eigen::Vector3d& centre_b, double reach) {
+  return (centre_b - centre_a).norm() <= reach;
+}
+
 bool samePlace(const Eigen::Vector3d& centre, const Rigid3& a, const Rigid3& b, double reach) {
-  return centreOffset(centre, a, b).norm() <= reach;
+  return samePlace(a * centre, b * centre, reach);
 }
 
 bool samePlace(const Eigen::Vector3d& centre, const Rigid3& a, const Rigid3& b,

@@ -20,7 +20,7 @@ class Mover {
   MovePlan run() {
     const Departure departure = planDeparture(arm_, world_, request_.start, request_.touching, options_);
     if (!departure.possible) {
-      tell(MoveOutcome::kStartInCollision, departure.reason);
+      record(MoveOutcome::kStartInCollision, departure.reason);
       return plan_;
     }
     if (runFrom(departure) || plan_.outcome != MoveOutcome::kNoPath) return plan_;
@@ -43,15 +43,15 @@ class Mover {
     for (size_t i = 0; request_.joints.empty() && i < request_.base_from_tcp.size(); ++i) {
       const std::string what = "pose " + std::to_string(i);
       const auto goals = solutionsByTime(arm_, request_.base_from_tcp[i], at_, options_.candidates);
-      if (goals.empty()) tell(MoveOutcome::kUnreachable, what + ": out of reach or joint limits");
+      if (goals.empty()) record(MoveOutcome::kUnreachable, what + ": out of reach or joint limits");
       if (!goals.empty() && reach(goals, int(i), what)) return true;
     }
     plan_.motions.clear();
     return false;
   }
 
-  /// The failure that came furthest is told.
-  void tell(MoveOutcome outcome, const std::string& reason) {
+  /// Of all failures the one that came furthest is reported.
+  void record(MoveOutcome outcome, const std::string& reason) {
     if (!plan_.reason.empty() && outcome <= plan_.outcome) return;
     plan_.outcome = outcome;
     plan_.reason = reason;
@@ -61,9 +61,9 @@ class Mover {
     std::vector<JointVector> free;
     for (const JointVector& goal : goals) {
       if (!arm_.arm.withinLimits(goal))
-        tell(MoveOutcome::kUnreachable, what + ": outside the joint limits");
+        record(MoveOutcome::kUnreachable, what + ": outside the joint limits");
       else if (!world_.valid(goal))
-        tell(MoveOutcome::kGoalInCollision, what + ": " + describe(world_.firstCollision(goal)));
+        record(MoveOutcome::kGoalInCollision, what + ": " + describe(world_.firstCollision(goal)));
       else
         free.push_back(goal);
     }
@@ -74,8 +74,8 @@ class Mover {
     const JointPath path = planPath(arm_.arm.options().joints, at_, free, testIn(world_), options);
     if (!path.found()) {
       ++failed_searches_;
-      tell(MoveOutcome::kNoPath, what + ": no free path found in " + std::to_string(path.tests) +
-                                     " tests (budget " + std::to_string(options.budget) + ")");
+      record(MoveOutcome::kNoPath, what + ": no free path found in " + std::to_string(path.tests) +
+                                       " tests (budget " + std::to_string(options.budget) + ")");
       return false;
     }
 

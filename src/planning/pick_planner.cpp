@@ -50,7 +50,7 @@ class Planner {
     const auto solutions =
         solutionsByTime(arm_, target.base_from_pregrasp, request_.start, options_.candidates);
     if (solutions.empty())
-      failure_.tell(PickOutcome::kGraspUnreachable, "pre-grasp: out of reach or joint limits");
+      failure_.record(PickOutcome::kGraspUnreachable, "pre-grasp: out of reach or joint limits");
     for (const JointVector& before : solutions) {
       GraspWay way;
       if (!graspWay(arm_, worlds_, target, before, options_, &way, &failure_)) continue;
@@ -75,8 +75,8 @@ class Planner {
     path = planPath(arm_.arm.options().joints, from, {to}, testIn(world), options);
     if (path.found()) return path;
     ++failed_searches_;
-    failure_.tell(none, std::string("no free path to ") + what + " found in " + std::to_string(path.tests) +
-                            " tests (budget " + std::to_string(options.budget) + ")");
+    failure_.record(none, std::string("no free path to ") + what + " found in " + std::to_string(path.tests) +
+                              " tests (budget " + std::to_string(options.budget) + ")");
     return path;
   }
 
@@ -87,7 +87,7 @@ class Planner {
       const DropTarget& drop = request_.drops[k];
       const auto solutions = solutionsByTime(arm_, drop.base_from_tcp_above, lifted, options_.candidates);
       if (solutions.empty())
-        failure_.tell(PickOutcome::kDropUnreachable, "above the drop: out of reach or joint limits");
+        failure_.record(PickOutcome::kDropUnreachable, "above the drop: out of reach or joint limits");
 
       for (const JointVector& above : solutions) {
         DropWay put;

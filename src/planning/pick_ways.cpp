@@ -37,7 +37,7 @@ std::string describe(const CollisionPair& pair) {
   return text.str();
 }
 
-void PickFailure::tell(PickOutcome new_outcome, const std::string& new_reason) {
+void PickFailure::record(PickOutcome new_outcome, const std::string& new_reason) {
   if (int(new_outcome) <= progress) return;
   outcome = new_outcome;
   reason = new_reason;
@@ -79,7 +79,7 @@ CollisionWorld PickWorlds::released(const PickRequest& request, const DropTarget
 }
 
 std::vector<JointVector> solutionsByTime(const ToolArm& arm, const Rigid3& base_from_tcp,
-                                         const JointVector& current, int most) {
+                                         const JointVector& current, int max_count) {
   ArmSolutions solutions;
   arm.inverse(base_from_tcp, current, &solutions);
   std::vector<JointVector> joints;
@@ -87,7 +87,7 @@ std::vector<JointVector> solutionsByTime(const ToolArm& arm, const Rigid3& base_
   std::stable_sort(joints.begin(), joints.end(), [&](const JointVector& a, const JointVector& b) {
     return timeTo(arm.arm.options(), a, current) < timeTo(arm.arm.options(), b, current);
   });
-  if (int(joints.size()) > most) joints.resize(most);
+  if (int(joints.size()) > max_count) joints.resize(size_t(max_count));
   return joints;
 }
 
@@ -97,12 +97,12 @@ std::vector<JointVector> straightLine(const ToolArm& arm, const CollisionWorld& 
                                       PickOutcome blocked, const char* what, PickFailure* failure) {
   CartesianPath line = cartesianPath(arm, start, base_from_tcp, options.cartesian);
   if (!line.found()) {
-    failure->tell(unreachable, std::string(what) + ": " + line.reason);
+    failure->record(unreachable, std::string(what) + ": " + line.reason);
     return {};
   }
   const CollisionPair hit = alongLine(world, line.points);
   if (!hit.first.empty()) {
-    failure->tell(blocked, std::string(what) + ": " + describe(hit));
+    failure->record(blocked, std::string(what) + ": " + describe(hit));
     return {};
   }
   return line.points;
@@ -112,8 +112,8 @@ bool graspWay(const ToolArm& arm, const PickWorlds& worlds, const PickTarget& ta
               const JointVector& before, const PlanningOptions& options, GraspWay* way,
               PickFailure* failure) {
   if (!worlds.reach.valid(before)) {
-    failure->tell(PickOutcome::kGraspInCollision,
-                  "pre-grasp: " + describe(worlds.reach.firstCollision(before)));
+    failure->record(PickOutcome::kGraspInCollision,
+                    "pre-grasp: " + describe(worlds.reach.firstCollision(before)));
     return false;
   }
 
@@ -127,8 +127,8 @@ bool graspWay(const ToolArm& arm, const PickWorlds& worlds, const PickTarget& ta
   if (way->lift.empty()) return false;
 
   if (worlds.carry.valid(way->lift.back())) return true;
-  failure->tell(PickOutcome::kLiftBlocked,
-                "end of the lift: " + describe(worlds.carry.firstCollision(way->lift.back())));
+  failure->record(PickOutcome::kLiftBlocked,
+                  "end of the lift: " + describe(worlds.carry.firstCollision(way->lift.back())));
   return false;
 }
 
@@ -147,7 +147,7 @@ std::vector<JointVector> retreatWay(const ToolArm& arm, const CollisionWorld& re
   if (!way.empty()) return way;
   way.assign(lower.rbegin(), lower.rend());
   if (alongLine(released, way).first.empty()) return way;
-  failure->tell(PickOutcome::kLoweringBlocked, blocked.reason);
+  failure->record(PickOutcome::kLoweringBlocked, blocked.reason);
   return {};
 }
 
@@ -155,8 +155,8 @@ bool dropWay(const ToolArm& arm, const PickWorlds& worlds, const CollisionWorld&
              const DropTarget& drop, const JointVector& above, const PlanningOptions& options, DropWay* way,
              PickFailure* failure) {
   if (!worlds.carry.valid(above)) {
-    failure->tell(PickOutcome::kDropInCollision,
-                  "above the drop: " + describe(worlds.carry.firstCollision(above)));
+    failure->record(PickOutcome::kDropInCollision,
+                    "above the drop: " + describe(worlds.carry.firstCollision(above)));
     return false;
   }
   way->above = above;

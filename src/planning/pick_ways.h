@@ -16,13 +16,13 @@ struct PickWorlds {
   Rigid3 tcp_from_object;
 };
 
-/// A failure; of several, the one that came furthest is told.
+/// A failure; of several, the one that came furthest is kept.
 struct PickFailure {
   PickOutcome outcome = PickOutcome::kGraspUnreachable;
   std::string reason;
   int progress = -1;
 
-  void tell(PickOutcome new_outcome, const std::string& new_reason);
+  void record(PickOutcome new_outcome, const std::string& new_reason);
 };
 
 /// Joints over a pose, and the straight lines from there.
@@ -37,9 +37,9 @@ struct DropWay {
 
 /// Solutions of a pose, soonest reached from `current` first.
 std::vector<JointVector> solutionsByTime(const ToolArm& arm, const Rigid3& base_from_tcp,
-                                         const JointVector& current, int most);
+                                         const JointVector& current, int max_count);
 
-/// A free straight line, or none with the failure told. `blocked` is the outcome of a collision.
+/// A free straight line, or none with the failure recorded. `blocked` is the outcome of a collision.
 std::vector<JointVector> straightLine(const ToolArm& arm, const CollisionWorld& world,
                                       const JointVector& start, const Rigid3& base_from_tcp,
                                       const PlanningOptions& options, PickOutcome unreachable,

@@ -63,7 +63,7 @@ class Placer {
     const auto solutions =
         solutionsByTime(arm_, drop.base_from_tcp_above, departure_.end, options_.candidates);
     if (solutions.empty())
-      failure_.tell(PickOutcome::kDropUnreachable, "above the drop: out of reach or joint limits");
+      failure_.record(PickOutcome::kDropUnreachable, "above the drop: out of reach or joint limits");
     const CollisionWorld released = worlds_.released(pick_, drop, options_.near_padding);
     for (const JointVector& above : solutions) {
       DropWay way;
@@ -86,9 +86,9 @@ class Placer {
         planPath(arm_.arm.options().joints, departure_.end, {above}, testIn(worlds_.carry), options);
     if (path.found()) return path;
     ++failed_searches_;
-    failure_.tell(PickOutcome::kNoPathToDrop, "no free path to the drop found in " +
-                                                  std::to_string(path.tests) + " tests (budget " +
-                                                  std::to_string(options.budget) + ")");
+    failure_.record(PickOutcome::kNoPathToDrop, "no free path to the drop found in " +
+                                                    std::to_string(path.tests) + " tests (budget " +
+                                                    std::to_string(options.budget) + ")");
     return path;
   }
 

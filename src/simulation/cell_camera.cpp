@@ -66,6 +66,18 @@ std::vector<ArmBody> armBodies(const ArmDescription& arm) {
   return bodies;
 }
 
+/// Everything that the camera can see move.
+std::vector<double> visibleState(const WorkCell& cell) {
+  std::vector<double> state(cell.joints().data(), cell.joints().data() + 6);
+  state.push_back(cell.gripperWidth());
+  for (const SceneObject& object : cell.scene().scene.objects) {
+    const Rigid3& pose = object.world_from_object;
+    state.insert(state.end(), pose.rotation.data(), pose.rotation.data() + 9);
+    state.insert(state.end(), pose.translation.data(), pose.translation.data() + 3);
+  }
+  return state;
+}
+
 /// A number of what the camera sees, to a nanometre and a nanoradian: the noise of that state.
 uint32_t stateKey(const WorkCell& cell) {
   uint32_t key = mixBits(uint32_t(cell.scene().options.seed));
@@ -124,6 +136,8 @@ struct CellCamera::Impl {
   InstanceWorld world;
   FastLook look;
   FastRenderer renderer;
+  std::vector<double> last_state;  // of last_grey
+  cv::Mat last_grey;
 };
 
 void CellCamera::Impl::place(const WorkCell& cell) {
@@ -208,6 +222,15 @@ CellImage CellCamera::capture(const WorkCell& cell) {
   image.grey = impl_->sensor(radiance, stateKey(cell), &image.exposure);
   impl_->takeMaps(&image);
   return image;
+}
+
+const cv::Mat& CellCamera::grey(const WorkCell& cell) {
+  std::vector<double> state = visibleState(cell);
+  if (impl_->last_grey.empty() || state != impl_->last_state) {
+    impl_->last_grey = capture(cell).grey;
+    impl_->last_state = std::move(state);
+  }
+  return impl_->last_grey;
 }
 
 }  // namespace monocular_eye_hand

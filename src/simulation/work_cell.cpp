@@ -4,6 +4,7 @@
 #include <set>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/seconds_text.h"
 #include "monocular_eye_hand/mesh/stable_poses.h"
 #include "monocular_eye_hand/simulation/cell.h"
 #include "simulation/cell_closing.h"
@@ -48,6 +49,13 @@ const char* name(CellEvent::Kind kind) {
       break;
   }
   return "rested";
+}
+
+std::string textOf(const CellEvent& event) {
+  std::string text = secondsText(event.time) + ": " + name(event.kind) + ": " + event.first;
+  if (!event.second.empty())
+    text += (event.kind == CellEvent::Kind::kRested ? " on " : " with ") + event.second;
+  return event.text.empty() ? text : text + ", " + event.text;
 }
 
 struct WorkCell::Impl {

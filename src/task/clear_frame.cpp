@@ -88,7 +88,7 @@ void ClearFrameTask::lookAround() {
   view.search = frame_pose_.has_value();  // from nearer, once it is known where it stands
   view.direction = direction_ + overview_;
   const int views = result_.rounds == 1 ? options_.overviews : options_.overviews_again;
-  tell("overview " + std::to_string(overview_ + 1) + " of " + std::to_string(views));
+  reportProgress("overview " + std::to_string(overview_ + 1) + " of " + std::to_string(views));
   TaskLook seen;
   if (!look(view, &seen)) return;
   if (++overview_ < views) return;
@@ -102,8 +102,8 @@ void ClearFrameTask::search() {
   view.overview = -1;
   view.search = true;
   view.direction = ++direction_;
-  tell("nothing known is left; search " + std::to_string(searches_ + 1) + " of " +
-       std::to_string(options_.searches));
+  reportProgress("nothing known is left; search " + std::to_string(searches_ + 1) + " of " +
+                 std::to_string(options_.searches));
   TaskLook seen;
   if (!look(view, &seen)) return;
   ++searches_;
@@ -120,7 +120,7 @@ bool ClearFrameTask::look(const TaskView& view, TaskLook* seen) {
 
   if (!seen->done) {
     if (++failed_looks_ < options_.look_attempts) {
-      tell("the look failed (" + seen->reason + "); again");
+      reportProgress("the look failed (" + seen->reason + "); again");
       world_->wait(std::ldexp(options_.retry_wait, failed_looks_ - 1));
     } else {
       finish(TaskOutcome::kFault,
@@ -174,8 +174,8 @@ void ClearFrameTask::choose() {
 
   if (!chosen_) chosen_ = uncertain;
   if (chosen_) {
-    tell(best >= 0 ? "a grasp of quality " + twoDigits(best)
-                   : "its pose is too uncertain: " + progress_[*chosen_].blocked);
+    reportProgress(best >= 0 ? "a grasp of quality " + twoDigits(best)
+                             : "its pose is too uncertain: " + progress_[*chosen_].blocked);
     stage_ = TaskStage::kConfirm;
     return;
   }
@@ -189,7 +189,7 @@ void ClearFrameTask::choose() {
     stage_ = TaskStage::kLook;
     return;
   }
-  tell("looks again: " + progress_.at(waiting().front()).blocked);
+  reportProgress("looks again: " + progress_.at(waiting().front()).blocked);
   ++direction_;
   startRound();
 }
@@ -219,7 +219,7 @@ void ClearFrameTask::confirm() {
   view.object = *object;
   view.approach = progress.near_looks;
   view.direction = direction_ + progress.near_looks;
-  tell("a look from near");
+  reportProgress("a look from near");
   TaskLook seen;
   if (!look(view, &seen)) return;
   ++progress.near_looks;
@@ -235,7 +235,7 @@ void ClearFrameTask::confirm() {
   else if (!inFrame(*object))
     doubt = "it is not in the frame any more";
   if (!doubt.empty()) {
-    tell(doubt);
+    reportProgress(doubt);
     if (++progress.unconfirmed >= options_.confirm_attempts) giveUp(key, doubt);
     return doubted();
   }
@@ -249,7 +249,7 @@ void ClearFrameTask::confirm() {
   }
   progress.blocked = !plan.reason.empty() ? plan.reason : "no grasp leaves room for the pose's uncertainty";
   if (plan.too_uncertain && progress.near_looks < options_.near_looks) {
-    tell("still too uncertain: " + progress.blocked);
+    reportProgress("still too uncertain: " + progress.blocked);
     return;  // once more, nearer
   }
   if (!plan.too_uncertain) return setAside(key, progress.blocked);
@@ -291,8 +291,8 @@ void ClearFrameTask::pick() {
   std::string why;
 
   for (size_t k = 0; k < candidates_.size(); ++k) {
-    tell("grasp " + std::to_string(k + 1) + " of " + std::to_string(candidates_.size()) + ", " +
-         candidates_[k].grasp.source);
+    reportProgress("grasp " + std::to_string(k + 1) + " of " + std::to_string(candidates_.size()) + ", " +
+                   candidates_[k].grasp.source);
     const ActionResult result = world_->pick(candidates_[k]);
     switch (result.outcome) {
       case ActionOutcome::kDone:
@@ -335,14 +335,14 @@ void ClearFrameTask::verify() {
   const TaskGrip grip = world_->grip();
   if (!grip.known) return finish(TaskOutcome::kFault, "the gripper does not answer: " + grip.reason);
   if (!grip.holding) return lostGrasp("after lifting the gripper is empty: " + grip.reason);
-  tell("the gripper holds it: " + grip.reason);
+  reportProgress("the gripper holds it: " + grip.reason);
   stage_ = TaskStage::kCarry;
 }
 
 void ClearFrameTask::lostGrasp(const std::string& reason) {
   const Key key = *chosen_;
   entry(key).outcome = ObjectOutcome::kWaiting;
-  tell("lost: " + reason);
+  reportProgress("lost: " + reason);
   if (!opened()) return;
   if (entry(key).picks >= options_.pick_attempts)
     giveUp(key, std::to_string(entry(key).picks) + " grasps lost; the last one: " + reason);
@@ -351,7 +351,7 @@ void ClearFrameTask::lostGrasp(const std::string& reason) {
 
 void ClearFrameTask::carry() {
   const Key key = *chosen_;
-  tell("to the drop zone, place " + std::to_string(carried_));
+  reportProgress("to the drop zone, place " + std::to_string(carried_));
   const MappedObject object = entry(key).object;
   const ActionResult result = world_->carry(object, carried_);
 
@@ -458,10 +458,10 @@ void ClearFrameTask::finish(TaskOutcome outcome, const std::string& reason) {
   for (TaskObject& object : result_.objects)
     if (object.outcome == ObjectOutcome::kHeld) object.reason = "still in the gripper: " + reason;
   stage_ = TaskStage::kDone;
-  tell(reason);
+  reportProgress(reason);
 }
 
-void ClearFrameTask::tell(const std::string& text) {
+void ClearFrameTask::reportProgress(const std::string& text) {
   if (!feedback_) return;
   TaskFeedback feedback;
   feedback.stage = stage_;

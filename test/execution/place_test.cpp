@@ -1,4 +1,5 @@
 #include "executor_world.h"
+#include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -191,6 +192,72 @@ TEST_F(Place, ASilentGripper) {
   EXPECT_EQ(result.outcome, ActionOutcome::kFault);
   EXPECT_THAT(result.reason, HasSubstr("gripper/state is silent"));
   expectStopped(result);
+}
+
+TEST_F(Place, SilentJointsWhileItIsCarried) {
+  for (const char* stage : {"carry", "lower"}) {
+    SCOPED_TRACE(stage);
+    beginAnew();
+    takeIt();
+    at(stage, [this] { robot.tells_joints = false; });
+    const ActionResult result = place();
+    robot.tells_joints = true;
+    EXPECT_EQ(result.outcome, ActionOutcome::kFault);
+    EXPECT_THAT(result.reason, HasSubstr("joint_states is silent for"));
+    EXPECT_EQ(robot.commands.back(), "stop");
+    EXPECT_EQ(executor->held(), "bridge 0");
+    EXPECT_TRUE(memory.kept()) << "a planner that starts again knows it";
+  }
+}
+
+TEST_F(Place, SilentJointsAfterItIsPutDown) {
+  takeIt();
+  at("retreat", [this] { robot.tells_joints = false; });
+  const ActionResult result = place();
+  EXPECT_EQ(result.outcome, ActionOutcome::kFault);
+  EXPECT_EQ(robot.commands.back(), "stop");
+  EXPECT_EQ(executor->held(), "");
+  EXPECT_EQ(executor->scene().remembered(), 1u) << "it stands there";
+}
+
+TEST_F(Place, JointsThatAreSilentFromTheBeginning) {
+  takeIt();
+  robot.tells_joints = false;
+  for (int i = 0; i < 500; ++i) robot.wait(0.01);
+  EXPECT_THROW(place(), BadInput);
+  EXPECT_TRUE(robot.commands.empty());
+  EXPECT_EQ(executor->held(), "bridge 0");
+
+  robot.tells_joints = true;
+  robot.wait(0.01);
+  EXPECT_TRUE(place().done());
+}
+
+TEST_F(Place, AnArmThatDoesNotStopWhenItIsTold) {
+  for (const char* stage : {"carry", "lower", "retreat"}) {
+    SCOPED_TRACE(stage);
+    robot.stops = true;
+    beginAnew();
+    takeIt();
+    robot.stops = false;
+    cancel_in = stage;
+    const ActionResult result = place();
+    cancel_in.clear();
+    EXPECT_EQ(result.outcome, ActionOutcome::kFault) << "a cancel would say that it stands";
+    EXPECT_EQ(result.reason, "cancelled; the arm does not stop");
+    EXPECT_EQ(robot.commands.back(), "stop");
+    EXPECT_EQ(executor->held(), stage == std::string("retreat") ? "" : "bridge 0");
+  }
+}
+
+TEST_F(Place, ALostPartAndAnArmThatDoesNotStop) {
+  takeIt();
+  robot.stops = false;
+  dropAt("carry");
+  const ActionResult result = place();
+  EXPECT_EQ(result.outcome, ActionOutcome::kFault);
+  EXPECT_THAT(result.reason, HasSubstr("the gripper lost bridge 0"));
+  EXPECT_THAT(result.reason, HasSubstr("the arm does not stop"));
 }
 
 TEST_F(Place, AfterARestartThePartIsKnown) {

@@ -35,6 +35,11 @@ TEST(SamePlace, WithinReachCountsUpToItsEnd) {
   EXPECT_FALSE(samePlace(Eigen::Vector3d::Zero(), here, there, std::nan("")));
 }
 
+TEST(SamePlace, OfTwoModelsTheCentresCount) {
+  EXPECT_TRUE(samePlace(Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0.25, 1), 0.25));
+  EXPECT_FALSE(samePlace(Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0.25, 1), 0.249));
+}
+
 TEST(SamePlace, AlongEachAxisOfTheFirst) {
   const Eigen::Vector3d reach(0.1, 0.02, 0.01);
   const Rigid3 a = turned(M_PI / 2);  // its x is the frame's y

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The table's height comes from one place: the argument table_height of the launch files. Needs no master."""
+"""The table's height comes from one place: the argument table_height of the launch files, without it the files. Needs no master."""
 import subprocess
 import sys
 import unittest
@@ -35,9 +35,13 @@ class TestTableHeight(unittest.TestCase):
         del given["/planner/table/z"], file["/planner/table/z"]
         self.assertEqual(given, file)
 
-    def test_the_file_of_eye_hand_does_not_rule_its_argument(self):
-        self.assertEqual(parameters("eye_hand.launch")["/eye_hand/table_height"], 0.0)
-        self.assertEqual(parameters("eye_hand.launch", "table_height:=0.7")["/eye_hand/table_height"], 0.7)
+    def test_eye_hand_has_it_from_its_file_or_the_argument(self):
+        given, file = parameters("eye_hand.launch", "table_height:=0.7"), parameters("eye_hand.launch")
+        self.assertEqual(given["/eye_hand/table_height"], 0.7)
+        del given["/eye_hand/table_height"]
+        height = file.pop("/eye_hand/table_height")
+        self.assertEqual(given, file)
+        self.assertEqual(height, parameters("planner.launch")["/planner/table/z"])
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 #include "monocular_eye_hand/eye_hand/known_space.h"
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/geometry/rigid3.h"
+#include "monocular_eye_hand/model/known_object.h"
 
 namespace monocular_eye_hand {
 
@@ -73,5 +74,7 @@ struct ViewReport {
   std::vector<ViewDecision> decisions;  ///< one per ObjectView::objects
   std::vector<MappedObject> forgotten;  ///< as last known
 };
+/// What became of each object, for people.
+std::string textOf(const ViewReport& report, const ModelBase& models);
 
 }  // namespace monocular_eye_hand

@@ -28,6 +28,8 @@ struct CellEvent {
   std::string text;
 };
 const char* name(CellEvent::Kind kind);
+/// "12.300 s: rested: bridge_0 on table".
+std::string textOf(const CellEvent& event);
 
 /// Truth about one object.
 struct CellTruth {

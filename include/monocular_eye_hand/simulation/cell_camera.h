@@ -37,6 +37,9 @@ class CellCamera {
   const Camera& camera() const;
   /// An exposure of the cell as it stands now.
   CellImage capture(const WorkCell& cell);
+  /// The grey image alone. A cell of which nothing to be seen has changed is not rendered again: its image
+  /// would be the same. Good until the next call.
+  const cv::Mat& grey(const WorkCell& cell);
 
  private:
   struct Impl;

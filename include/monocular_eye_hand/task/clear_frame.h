@@ -157,7 +157,7 @@ class ClearFrameTask {
   void startRound();
   void finish(TaskOutcome outcome, const std::string& reason);
   void finishRound();
-  void tell(const std::string& text);
+  void reportProgress(const std::string& text);
 
   const ModelBase* models_;
   TaskWorld* world_;

@@ -10,7 +10,7 @@ namespace monocular_eye_hand {
 
 /// Where to look from.
 struct TaskView {
-  int overview = 0;     ///< >= 0: the so-many-th view of the frame in this round, from 0
+  int overview = 0;     ///< index of the view of the frame in this round, from 0
   int direction = 0;    ///< from where: another number is another direction
   bool near = false;    ///< true: at `object`, nearer with every `approach`
   bool search = false;  ///< true: the frame from nearer and lower, for what shows no better from afar
@@ -57,7 +57,8 @@ class TaskWorld {
   /// Pre-grasp, approach, close, lift.
   virtual ActionResult pick(const PlannedGrasp& planned) = 0;
   virtual TaskGrip grip() = 0;
-  /// To the drop zone's so-many-th place and open there; the object then is no longer known.
+  /// To the place of this index in the drop zone, counted from 0, and open there; the object then is no
+  /// longer known.
   virtual ActionResult carry(const MappedObject& object, int place) = 0;
   /// Opens the gripper where it is, away from any part, after a lost grasp.
   virtual ActionResult open() = 0;

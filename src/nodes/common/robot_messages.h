@@ -1,0 +1,15 @@
+#pragma once
+#include <monocular_eye_hand/GripperState.h>
+#include <ros/time.h>
+#include <sensor_msgs/JointState.h>
+
+#include "monocular_eye_hand/arm/gripper_reading.h"
+#include "monocular_eye_hand/arm/joint_sample.h"
+
+namespace monocular_eye_hand {
+
+/// What arm and gripper tell. A message without stamp counts as of `now`.
+JointSample fromMessage(const sensor_msgs::JointState& message, const ros::Time& now);
+GripperReading fromMessage(const GripperState& message, const ros::Time& now);
+
+}  // namespace monocular_eye_hand

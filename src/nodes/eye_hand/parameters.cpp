@@ -1,0 +1,35 @@
+#include "nodes/eye_hand/parameters.h"
+
+#include <cmath>
+
+#include "monocular_eye_hand/geometry/require.h"
+
+namespace monocular_eye_hand {
+
+void EyeHandParameters::check() const {
+  requireGiven("objects", objects, "the path of the model base, e.g. config/objects.yaml of this package");
+  requireGiven("urdf", urdf, "the path of the arm's URDF, e.g. urdf/puma560.urdf of this package");
+  requireGiven("base_frame", base_frame, "the tf frame of the arm's base");
+  requireGiven("tool_frame", tool_frame, "the tf frame of the arm's flange");
+  for (const std::string& joint : joint_names)
+    requireGiven("joint_names", joint, "the six names of the arm's joints");
+
+  requirePositive("wait", wait);
+  requirePositive("memory", memory);
+  requirePositive("max_joint_gap", max_joint_gap);
+  requirePositive("max_joint_age", max_joint_age);
+  requirePositive("max_tf_distance", max_tf_distance);
+  requirePositive("max_tf_turn", max_tf_turn);
+  require(max_waiting >= 1, "max_waiting", max_waiting, "1 or more");
+
+  require(std::isfinite(table_height), "table_height", table_height, "finite");
+  requireOwnNames(boxes);
+  require(held_width >= 0, "held_width", held_width, "0 or more");
+  requirePositive("still", still);
+
+  require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");
+  requirePositive("label_height", label_height);
+  requirePositive("diagnostic_period", diagnostic_period);
+}
+
+}  // namespace monocular_eye_hand

@@ -1,0 +1,53 @@
+#include <ros/ros.h>
+
+#include "monocular_eye_hand/arm/load_arm_description.h"
+#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/mesh/load_mesh.h"
+#include "monocular_eye_hand/model/model_base.h"
+#include "monocular_eye_hand/simulation/cell_scene.h"
+#include "nodes/common/run_node.h"
+#include "nodes/work_cell/node.h"
+
+namespace meh = monocular_eye_hand;
+
+namespace {
+
+/// The meshes of the model base, repaired as the recogniser's are; nothing else of a model is seen or
+/// touched.
+std::vector<meh::NamedMesh> loadMeshes(const std::string& model_base) {
+  std::vector<meh::NamedMesh> meshes;
+  for (meh::ObjectEntry& entry : meh::readObjectEntries(model_base)) {
+    entry.options.find_symmetries = false;
+    const meh::Mesh mesh = meh::loadMesh(entry.mesh, entry.unit);
+    meshes.push_back(
+        {entry.name, std::make_shared<meh::Mesh>(meh::buildModel(entry.name, mesh, entry.options).mesh)});
+  }
+  return meshes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  meh::NodeSetup setup;
+  setup.help = {"work_cell",
+                "plays an arm with gripper and camera over a table of parts",
+                "arm_controller/command, gripper/command, ~take_away",
+                "joint_states, gripper/state, camera/image_raw, camera/camera_info, ~truth, /clock",
+                "",
+                "work_cell.launch",
+                "config/cell.yaml (below cell)"};
+  return meh::runNode<meh::WorkCellParameters>(
+      argc, argv, setup, [](meh::WorkCellParameters& parameters, const meh::NodeWatch&) {
+        parameters.objects = meh::pathParameter("objects", parameters.objects);
+        parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
+
+        meh::ArmDescription arm = meh::loadArmDescription(parameters.urdf);
+        meh::requireSameArm(arm, meh::Puma560(parameters.arm));
+        meh::CellScene scene = meh::makeCellScene(parameters.cell, loadMeshes(parameters.objects));
+        const size_t objects = scene.scene.objects.size();
+
+        meh::WorkCellNode cell(meh::WorkCell(std::move(scene), std::move(arm), parameters.arm), parameters);
+        ROS_INFO("ready; %zu objects on the table", objects);
+        cell.run();
+      });
+}
