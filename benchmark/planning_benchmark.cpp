@@ -4,8 +4,8 @@
 #include <chrono>
 #include <random>
 
+#include "planning/scene.h"
 #include "planning_peer.h"
-#include "scene.h"
 
 namespace monocular_eye_hand {
 namespace {

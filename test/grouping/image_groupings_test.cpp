@@ -5,7 +5,7 @@
 #include <set>
 
 #include "hand_made.h"
-#include "monocular_eye_hand/geometry/error.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -345,12 +345,7 @@ TEST(Candidates, NeedWhatTheGroupingShows) {
 TEST(Options, AreChecked) {
   GroupingOptions().check();
   const auto message = [](GroupingOptions o) -> std::string {
-    try {
-      groupFeatures(empty(), {}, o);
-    } catch (const BadInput& e) {
-      return e.what();
-    }
-    return "";
+    return refusal([&] { groupFeatures(empty(), {}, o); });
   };
   GroupingOptions o;
   o.corner_gap = -1;

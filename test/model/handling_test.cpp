@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <fstream>
 
-#include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "shapes.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -25,13 +25,8 @@ std::vector<ObjectEntry> entries(const std::string& keys) {
   return readObjectEntries(path);
 }
 
-std::string failure(const std::string& keys) {
-  try {
-    entries(keys);
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "no error";
+std::string refusalOf(const std::string& keys) {
+  return refusal([&] { entries(keys); });
 }
 
 TEST(Handling, DefaultsToSampledGrasps) {
@@ -74,20 +69,20 @@ TEST(Handling, ItReachesTheModelBase) {
 }
 
 TEST(Handling, MistakesAreNamed) {
-  EXPECT_THAT(failure(", grasp: maybe"), HasSubstr("\"grasp\" must be true or false"));
-  EXPECT_THAT(failure(", grasps: []"), HasSubstr("at least one"));
-  EXPECT_THAT(failure(", grasps: [3]"), HasSubstr("grasps[0] must be written"));
-  EXPECT_THAT(failure(", grasps: [{width: 0.1}]"), HasSubstr("\"xyz\" is missing"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0], width: 0.1}]"),
+  EXPECT_THAT(refusalOf(", grasp: maybe"), HasSubstr("\"grasp\" must be true or false"));
+  EXPECT_THAT(refusalOf(", grasps: []"), HasSubstr("at least one"));
+  EXPECT_THAT(refusalOf(", grasps: [3]"), HasSubstr("grasps[0] must be written"));
+  EXPECT_THAT(refusalOf(", grasps: [{width: 0.1}]"), HasSubstr("\"xyz\" is missing"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0], width: 0.1}]"),
               HasSubstr("grasps[0].xyz must be a list of 3"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, .nan], width: 0.1}]"), HasSubstr("finite"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0]}]"), HasSubstr("width = 0.0"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], width: 0.1, turns: 0}]"), HasSubstr("turns = 0"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], width: 0.1, axis: [0, 0, 0]}]"), HasSubstr("axis"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], wide: 0.1}]"), HasSubstr("unknown key \"wide\""));
-  EXPECT_THAT(failure(", obstacle: true, grasps: [{xyz: [0, 0, 0], width: 0.1}]"),
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, .nan], width: 0.1}]"), HasSubstr("finite"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0]}]"), HasSubstr("width = 0.0"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], width: 0.1, turns: 0}]"), HasSubstr("turns = 0"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], width: 0.1, axis: [0, 0, 0]}]"), HasSubstr("axis"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], wide: 0.1}]"), HasSubstr("unknown key \"wide\""));
+  EXPECT_THAT(refusalOf(", obstacle: true, grasps: [{xyz: [0, 0, 0], width: 0.1}]"),
               HasSubstr("must not be grasped"));
-  EXPECT_THAT(failure(", graps: true"), HasSubstr("grasp, obstacle, grasps"));
+  EXPECT_THAT(refusalOf(", graps: true"), HasSubstr("grasp, obstacle, grasps"));
 }
 
 }  // namespace

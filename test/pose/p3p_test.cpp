@@ -1,4 +1,5 @@
 #include "monocular_eye_hand/pose/p3p.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "random_pose.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "support/pose_matchers.h"
 #include "world.h"
 
 namespace monocular_eye_hand {
@@ -42,7 +43,7 @@ class Alignment : public testing::TestWithParam<const char*> {
   Rigid3 truth_;
 };
 
-TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent) {
+TEST_P(Alignment, CoarseThenFineFindsBackFrom4Degrees4PxAnd4Percent) {
   std::mt19937 random(7);
   const int tries = 20;
   // Of the frame, 270 px wide, that would move points by twice the reach of the association.
@@ -64,7 +65,7 @@ TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent)
   EXPECT_GE(fine, 18);
 }
 
-TEST_P(Alignment, fine_alone_is_exact_from_nearby_and_knows_its_certainty) {
+TEST_P(Alignment, FineAloneIsExactFromNearbyAndKnowsItsCertainty) {
   std::mt19937 random(8);
   for (int i = 0; i < 5; ++i) {
     const RefinedPose refined =
@@ -82,7 +83,7 @@ TEST_P(Alignment, fine_alone_is_exact_from_nearby_and_knows_its_certainty) {
   }
 }
 
-TEST_P(Alignment, where_there_is_no_edge_it_fails_and_says_so) {
+TEST_P(Alignment, WhereThereIsNoEdgeItFailsAndSaysSo) {
   const SearchImage empty =
       withFeatures(cv::Mat(picture_.grey.size(), CV_8UC1, cv::Scalar(90)), picture_.camera, {});
   ASSERT_TRUE(empty.features.points.empty());
@@ -91,10 +92,10 @@ TEST_P(Alignment, where_there_is_no_edge_it_fails_and_says_so) {
   EXPECT_FALSE(alignCoarsely(model_, empty, start, kWideRanges));
   const RefinedPose refined = alignFinely(model_, empty, truth_, kFineRanges, kFineStep);
   EXPECT_FALSE(refined.well_posed);
-  EXPECT_LT(difference(refined.camera_from_object, truth_).norm(), 1e-12) << "the start comes back";
+  EXPECT_THAT(truth_, PoseNear(refined.camera_from_object, 1e-09, 6e-11)) << "the start comes back";
 }
 
-TEST_P(Alignment, the_projected_contour_lies_on_the_image_edges) {
+TEST_P(Alignment, TheProjectedContourLiesOnTheImageEdges) {
   const std::vector<SeenSample> contour =
       projectContour(model_.model(), truth_, picture_.camera, image_.domain, 4.0);
   ASSERT_GT(contour.size(), 50u);
@@ -119,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Golden, Alignment,
                          testing::Values("bridge", "grenade", "frame", "flange", "bracket"),
                          [](const auto& info) { return std::string(info.param); });
 
-TEST(ProjectedContour, tells_how_far_a_rounded_edge_may_lie_from_its_middle) {
+TEST(ProjectedContour, TellsHowFarARoundedEdgeMayLieFromItsMiddle) {
   ObjectModel model = shippedModels().objects.at(0).model;
   const Picture picture = shippedPicture("golden/" + model.name);
   const Rigid3 pose = picture.truth.at(0).camera_from_object;

@@ -19,7 +19,7 @@ std::vector<double> anchorLengths(const Mesh& mesh) {
   return lengths;
 }
 
-TEST(Anchors, of_a_box_are_its_edges) {
+TEST(Anchors, OfABoxAreItsEdges) {
   const std::vector<double> lengths = anchorLengths(boxMesh({0.08, 0.06, 0.04}));
   ASSERT_FALSE(lengths.empty());
   EXPECT_TRUE(std::is_sorted(lengths.begin(), lengths.end()));
@@ -27,7 +27,7 @@ TEST(Anchors, of_a_box_are_its_edges) {
   EXPECT_GE(lengths.front(), 0.1 * std::sqrt(0.08 * 0.08 + 0.06 * 0.06 + 0.04 * 0.04) - 1e-9);
 }
 
-TEST(Anchors, of_a_cylinder_are_the_limbs_of_its_wall) {
+TEST(Anchors, OfACylinderAreTheLimbsOfItsWall) {
   const std::vector<double> lengths = anchorLengths(cylinderMesh(0.02, 0.08));
   ASSERT_FALSE(lengths.empty()) << "it has no straight edge";
   EXPECT_NEAR(lengths.back(), 0.08, 0.006);
@@ -46,7 +46,7 @@ Mesh screw(double radius, double shank, double head) {
   return shapes::revolved(profile, 36);
 }
 
-TEST(Anchors, of_a_screw_are_the_sides_of_its_shank) {
+TEST(Anchors, OfAScrewAreTheSidesOfItsShank) {
   const double radius = 0.004, shank = 0.045;
   const std::vector<double> lengths = anchorLengths(screw(radius, shank, 0.006));
   const auto beside = std::count_if(lengths.begin(), lengths.end(),
@@ -54,7 +54,7 @@ TEST(Anchors, of_a_screw_are_the_sides_of_its_shank) {
   EXPECT_GE(beside, 2) << "in the view from the side";
 }
 
-TEST(Anchors, a_ball_has_none) { EXPECT_TRUE(anchorLengths(sphereMesh(0.03, 80)).empty()); }
+TEST(Anchors, ABallHasNone) { EXPECT_TRUE(anchorLengths(sphereMesh(0.03, 80)).empty()); }
 
 }  // namespace
 }  // namespace monocular_eye_hand
