@@ -189,7 +189,7 @@ void BM_PickPlan(benchmark::State& state) {
         const PickPlan plan = planPick(toolArm(), world, request);
         times.push_back(seconds() - begin);
         if (!plan.planned()) {
-          state.SetLabel(name(plan.outcome) + ": " + plan.reason);
+          state.SetLabel(toString(plan.outcome) + ": " + plan.reason);
           continue;
         }
         ++planned;

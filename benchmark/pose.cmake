@@ -11,6 +11,6 @@ target_include_directories(bench_refine PRIVATE ${PROJECT_SOURCE_DIR}/test)
 # A circle and a point.
 room_benchmark(circle ROOM pose SOURCES circle_benchmark.cpp p3p_problems.cpp)
 target_include_directories(bench_circle PRIVATE ${PROJECT_SOURCE_DIR}/test)
-# What rounding does to the seed's quartic.
-benchmark_program(p3p_rounding ROOM pose SOURCES p3p_rounding.cpp p3p_problems.cpp seed_p3p.cpp grant_hitchins.cpp)
+# What rounding does to the paper's quartic.
+benchmark_program(p3p_rounding ROOM pose SOURCES p3p_rounding.cpp p3p_problems.cpp paper_p3p.cpp grant_hitchins.cpp)
 target_include_directories(p3p_rounding PRIVATE ${PROJECT_SOURCE_DIR}/test)

@@ -60,8 +60,7 @@ std::vector<GroupingPicture> groupingPictures(const cv::Mat& grey, const Feature
     Canvas canvas(grey, features.camera, kDim);
     // The best ones last: on top.
     for (int k = shown - 1; k >= 0; --k) drawGrouping(&canvas, features, *members[k], paletteColour(k));
-    canvas.caption(std::string(name(kind)) + ": " + std::to_string(shown) + " of " +
-                   std::to_string(members.size()));
+    canvas.caption(toString(kind) + ": " + std::to_string(shown) + " of " + std::to_string(members.size()));
     pictures.push_back({kind, shown, int(members.size()), canvas.picture()});
   }
   return pictures;

@@ -86,7 +86,7 @@ std::string causeOf(const MissedObject& missed, const std::vector<JudgedPose>& j
                     const SearchLimits& limits) {
   if (!missed.limit.empty()) return "limit of the search: " + missed.limit.substr(0, missed.limit.find(':'));
   const LostAt& lost = missed.lost;
-  std::string cause = name(lost.stage);
+  std::string cause = toString(lost.stage);
   if (lost.stage <= LostAt::kNotJudged) return cause + judgedInstead(missed, judged);
 
   const JudgedPose& pose = judged[size_t(missed.nearest)];
@@ -215,7 +215,7 @@ std::vector<CauseCount> sorted(const std::map<std::string, int>& counts) {
 
 }  // namespace
 
-const char* name(WrongCause cause) {
+std::string toString(WrongCause cause) {
   switch (cause) {
     case WrongCause::kNearMiss:
       return "nearly right";
@@ -288,7 +288,7 @@ std::vector<CauseCount> causeCounts(const std::vector<MissedObject>& missed) {
 
 std::vector<CauseCount> causeCounts(const std::vector<WrongAccept>& wrong) {
   std::map<std::string, int> counts;
-  for (const WrongAccept& one : wrong) ++counts[name(one.cause)];
+  for (const WrongAccept& one : wrong) ++counts[toString(one.cause)];
   return sorted(counts);
 }
 

@@ -47,8 +47,8 @@ std::vector<Rigid3> discretized(const BopSymmetries& symmetries, double step) {
   for (const Rigid3& flip : discrete)
     for (const SymmetryAxis& axis : symmetries.continuous)
       for (int i = 0; i < count; ++i) {
-        const Eigen::Matrix3d turn = expSO3(axis.direction * (i * 2 * M_PI / count));
-        all.push_back(Rigid3{turn, axis.point - turn * axis.point} * flip);
+        const Eigen::Matrix3d rotation = expSO3(axis.direction * (i * 2 * M_PI / count));
+        all.push_back(Rigid3{rotation, axis.point - rotation * axis.point} * flip);
       }
   return all;
 }

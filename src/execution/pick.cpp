@@ -118,7 +118,7 @@ ActionResult PickPlaceExecutor::drivePick(const PlacedObject& object, const Plan
                                           const ActionMonitor& monitor) {
   const PickPlan& plan = planned.kept.plan;
   if (!planned.refused.empty()) return result(ActionOutcome::kInCollision, planned.refused);
-  if (!plan.planned()) return result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  if (!plan.planned()) return result(outcomeOf(plan.outcome), toString(plan.outcome) + ": " + plan.reason);
 
   monitor.show(trajectoriesOf(planned.departure, plan));
   if (monitor.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");

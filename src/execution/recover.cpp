@@ -84,7 +84,7 @@ ActionResult PickPlaceExecutor::putDownSomewhere(const ActionMonitor& monitor, s
   for (size_t place = 0; place < places_.size(); ++place) {
     const PickPlan plan = planThePlace(int(place), joints, false);
     if (!plan.planned()) {
-      last = "place " + std::to_string(place) + ", " + name(plan.outcome) + ": " + plan.reason;
+      last = "place " + std::to_string(place) + ", " + toString(plan.outcome) + ": " + plan.reason;
       continue;
     }
     *said += "put down " + label + " at place " + std::to_string(place) + "; ";

@@ -67,10 +67,10 @@ Chain chain(const Rigid3& base_from_tool0, const Rigid3& tool0_from_camera,
   Chain result;
   result.base_from_object = base_from_camera * camera_from_object;
   const Eigen::Vector3d& object = result.base_from_object.translation;
-  result.image = motionInAxes(base_from_camera.rotation);
-  result.hand_eye =
-      motionAtOffset(object - base_from_camera.translation) * motionInAxes(base_from_tool0.rotation);
-  result.arm = motionAtOffset(object - base_from_tool0.translation);
+  result.image = adjointOfRotation(base_from_camera.rotation);
+  result.hand_eye = adjointOfTranslation(object - base_from_camera.translation) *
+                    adjointOfRotation(base_from_tool0.rotation);
+  result.arm = adjointOfTranslation(object - base_from_tool0.translation);
   return result;
 }
 
@@ -83,8 +83,8 @@ PoseInBase poseInBase(const HandPose& hand, const HandEye& hand_eye, const Rigid
   requireCovariance(covariance, "covariance of camera_from_object");
   requireCovariance(hand_eye.covariance, "covariance of tool0_from_camera");
   const Chain c = chain(hand.base_from_tool0, hand_eye.tool0_from_camera, camera_from_object);
-  return {c.base_from_object, carried(c.image, covariance), carried(c.hand_eye, hand_eye.covariance),
-          carried(c.arm, armCovariance(hand, arm))};
+  return {c.base_from_object, propagate(c.image, covariance), propagate(c.hand_eye, hand_eye.covariance),
+          propagate(c.arm, armCovariance(hand, arm))};
 }
 
 }  // namespace monocular_eye_hand

@@ -136,9 +136,9 @@ ObjectMap::Sighting ObjectMap::sighting(const ObjectView& view, const SeenObject
   s.probability = seen.probability;
   s.base_from_object = c.base_from_object;
   s.base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
-  s.image = carried(c.image, seen.covariance);
+  s.image = propagate(c.image, seen.covariance);
   addFloor(&s.image);
-  s.image = heldCovariance(model(s.object), s.base_from_object, s.image);
+  s.image = conditionedOnFreeAxis(model(s.object), s.base_from_object, s.image);
   s.hand_eye = c.hand_eye;
   s.joints = c.arm * view.hand.jacobian;
   return s;
@@ -149,8 +149,8 @@ ObjectMap::Sighting ObjectMap::equalSighting(const Sighting& sighting, const Rig
   equal.base_from_object = nearestEqualPose(model(sighting.object), sighting.base_from_object, wanted);
   // A symmetry may move the object frame's origin, about which the rotations are taken.
   const Matrix6d moved =
-      motionAtOffset(equal.base_from_object.translation - sighting.base_from_object.translation);
-  equal.image = carried(moved, sighting.image);
+      adjointOfTranslation(equal.base_from_object.translation - sighting.base_from_object.translation);
+  equal.image = propagate(moved, sighting.image);
   equal.hand_eye = moved * sighting.hand_eye;
   equal.joints = moved * sighting.joints;
   return equal;
@@ -166,10 +166,10 @@ double ObjectMap::chiSquare(const Sighting& a, const Sighting& b) const {
   const Vector6d gap = difference(a.base_from_object, equal.base_from_object);
   // Common errors cancel as far as both views see them alike.
   const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
-  Matrix6d spread = a.image + equal.image + carried(a.hand_eye - equal.hand_eye, hand_eye_covariance_) +
-                    carried(a.joints - equal.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
+  Matrix6d spread = a.image + equal.image + propagate(a.hand_eye - equal.hand_eye, hand_eye_covariance_) +
+                    propagate(a.joints - equal.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
   spread.diagonal().head<3>().array() += 2 * options_.arm.position_sigma * options_.arm.position_sigma;
-  spread = freedCovariance(model(a.object), a.base_from_object, spread);
+  spread = withFreeAxisVariance(model(a.object), a.base_from_object, spread);
   return gap.dot(spread.ldlt().solve(gap));
 }
 
@@ -287,14 +287,15 @@ void ObjectMap::merge(Track* track, const Sighting& seen) const {
   const ObjectModel& shape = model(seen.object);
   Sighting& merged = track->merged;
   // Free angles agree by choice of the equal pose; freed, they keep the sum invertible.
-  const Matrix6d known = freedCovariance(shape, merged.base_from_object, merged.image);
-  const Matrix6d sum = known + freedCovariance(shape, seen.base_from_object, seen.image);
+  const Matrix6d known = withFreeAxisVariance(shape, merged.base_from_object, merged.image);
+  const Matrix6d sum = known + withFreeAxisVariance(shape, seen.base_from_object, seen.image);
   const Matrix6d gain = sum.ldlt().solve(known).transpose();
   const Matrix6d rest = Matrix6d::Identity() - gain;
   Rigid3& pose = merged.base_from_object;
   pose = perturbed(pose, gain * difference(pose, seen.base_from_object));
   pose.rotation = nearestRotation(pose.rotation);
-  merged.image = heldCovariance(shape, pose, carried(rest, merged.image) + carried(gain, seen.image));
+  merged.image =
+      conditionedOnFreeAxis(shape, pose, propagate(rest, merged.image) + propagate(gain, seen.image));
   merged.hand_eye = rest * merged.hand_eye + gain * seen.hand_eye;
   merged.joints = rest * merged.joints + gain * seen.joints;
   track->base_from_cameras.push_back(seen.base_from_camera);
@@ -303,8 +304,8 @@ void ObjectMap::merge(Track* track, const Sighting& seen) const {
 
 Matrix6d ObjectMap::totalCovariance(const Sighting& seen) const {
   const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
-  Matrix6d total = seen.image + carried(seen.hand_eye, hand_eye_covariance_) +
-                   carried(seen.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
+  Matrix6d total = seen.image + propagate(seen.hand_eye, hand_eye_covariance_) +
+                   propagate(seen.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
   total.diagonal().head<3>().array() += options_.arm.position_sigma * options_.arm.position_sigma;
   return total;
 }
@@ -322,8 +323,8 @@ void ObjectMap::publish(Track* track) const {
   addFloor(&total);  // what CAD and part differ by is the same in every view
   object.base_from_object = merged.base_from_object;
   object.probability = merged.probability;
-  object.covariance = freedCovariance(shape, object.base_from_object, total);
-  object.image_covariance = freedCovariance(shape, object.base_from_object, merged.image);
+  object.covariance = withFreeAxisVariance(shape, object.base_from_object, total);
+  object.image_covariance = withFreeAxisVariance(shape, object.base_from_object, merged.image);
   object.outliers = int(track->outliers.size());
 }
 

@@ -49,7 +49,7 @@ void ObjectMapOptions::check() const {
           "above expected_nearest");
 }
 
-const char* name(ViewOutcome outcome) {
+std::string toString(ViewOutcome outcome) {
   switch (outcome) {
     case ViewOutcome::kNew:
       return "new";

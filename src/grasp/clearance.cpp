@@ -16,9 +16,9 @@ double mm(double metres) { return std::round(1e4 * metres) / 10; }
 ClearanceNeed clearanceNeed(const Rigid3& base_from_object, const Matrix6d& held, const Rigid3& base_from_tcp,
                             double width, const GripperOptions& gripper, const GraspPlanOptions& options) {
   // The part's small motion seen in the hand: d_hand = R^T (d about the hand's origin).
-  const Matrix6d motion = motionInAxes(base_from_tcp.rotation.transpose()) *
-                          motionAtOffset(base_from_tcp.translation - base_from_object.translation);
-  const Matrix6d at_hand = carried(motion, held);
+  const Matrix6d motion = adjointOfRotation(base_from_tcp.rotation.transpose()) *
+                          adjointOfTranslation(base_from_tcp.translation - base_from_object.translation);
+  const Matrix6d at_hand = propagate(motion, held);
 
   ClearanceNeed need;
   double largest = 0;

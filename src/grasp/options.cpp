@@ -79,7 +79,7 @@ void GraspPlanOptions::check() const {
   require(most >= 1, "most", most, "1 or more");
 }
 
-const char* name(GraspRefusal refusal) {
+std::string toString(GraspRefusal refusal) {
   switch (refusal) {
     case GraspRefusal::kFromBelow:
       return "approach too tilted";

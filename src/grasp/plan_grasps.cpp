@@ -34,7 +34,7 @@ std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int turns) {
       continue;
     }
     for (int k = 0; k < turns; ++k)
-      copies.push_back(turnAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
+      copies.push_back(rotationAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
   }
   return copies;
 }
@@ -52,7 +52,7 @@ class Planner {
         tcp_from_tool0_(tool0_from_tcp.inverse()),
         current_(current),
         options_(options),
-        held_(heldCovariance(*object.model, object.base_from_object, object.covariance)) {
+        held_(conditionedOnFreeAxis(*object.model, object.base_from_object, object.covariance)) {
     miss_.fill(std::numeric_limits<double>::max());
   }
 
@@ -135,7 +135,7 @@ class Planner {
     std::ostringstream out;
     out << object_.model->name << ": of " << all << " grasps";
     for (const RefusalCount& r : plan.refusals)
-      out << (&r == &plan.refusals.front() ? " " : "; ") << r.count << ' ' << name(r.refusal) << " ("
+      out << (&r == &plan.refusals.front() ? " " : "; ") << r.count << ' ' << toString(r.refusal) << " ("
           << r.example << ')';
     plan.reason = out.str();
     return plan;

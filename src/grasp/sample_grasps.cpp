@@ -302,7 +302,8 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
 
     for (int turn = 0; turn < given.turns; ++turn) {
       ModelGrasp grasp;
-      grasp.object_from_tcp = turnAbout(given.axis, 2 * M_PI * turn / given.turns) * given.object_from_tcp;
+      grasp.object_from_tcp =
+          rotationAbout(given.axis, 2 * M_PI * turn / given.turns) * given.object_from_tcp;
       grasp.width = given.width;
       grasp.source = source;
       std::string fault;

@@ -6,7 +6,7 @@
 
 namespace monocular_eye_hand {
 
-const char* name(GroupingKind kind) {
+std::string toString(GroupingKind kind) {
   switch (kind) {
     case GroupingKind::kEdge:
       return "edge";
@@ -30,7 +30,7 @@ const char* name(GroupingKind kind) {
   return "unknown";
 }
 
-const char* name(GroupingShape shape) {
+std::string toString(GroupingShape shape) {
   switch (shape) {
     case GroupingShape::kNone:
       return "none";

@@ -119,7 +119,7 @@ ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOp
         "the cache of compiled models, " + cache.folder +
         ", cannot be written: they are compiled at every start. Make the folder writable, or name another "
         "one (the parameter cache of the nodes, XDG_CACHE_HOME)");
-  warnAboutLookAlikes(&base);
+  warnAboutSimilarModels(&base);
   return base;
 }
 

@@ -30,7 +30,7 @@ std::string outcomesText(const ViewReport& report, const ModelBase& models) {
   for (const ViewDecision& decision : report.decisions) {
     text += (text.empty() ? "" : "; ") + models.objects.at(size_t(decision.object)).model.name;
     if (decision.number >= 0) text += " " + std::to_string(decision.number);
-    text += std::string(" ") + name(decision.outcome) + ": " + decision.reason;
+    text += " " + toString(decision.outcome) + ": " + decision.reason;
   }
   for (const MappedObject& gone : report.forgotten)
     text += (text.empty() ? "" : "; ") + gone.name + " " + std::to_string(gone.number) +

@@ -37,7 +37,7 @@ std::vector<double> visibleState(const WorkCell& cell) {
 std::string textOf(const CellEvent& event) {
   char time[32];
   std::snprintf(time, sizeof time, "%.3f s: ", event.time);
-  std::string text = time + std::string(name(event.kind)) + ": " + event.first;
+  std::string text = time + toString(event.kind) + ": " + event.first;
   if (!event.second.empty())
     text += (event.kind == CellEvent::Kind::kRested ? " on " : " with ") + event.second;
   return event.text.empty() ? text : text + ", " + event.text;

@@ -92,7 +92,7 @@ class Line {
       if (solutions.empty())
         refuse(CartesianOutcome::kUnreachable, "out of reach or joint limits", at);
       else
-        refuse(CartesianOutcome::kJump, "the posture " + name(branch_) + " ends", at);
+        refuse(CartesianOutcome::kJump, "the posture " + toString(branch_) + " ends", at);
       return false;
     }
     *joints = s->joints;

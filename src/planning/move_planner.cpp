@@ -98,7 +98,7 @@ class Mover {
 
 }  // namespace
 
-std::string name(MoveOutcome outcome) {
+std::string toString(MoveOutcome outcome) {
   switch (outcome) {
     case MoveOutcome::kPlanned:
       return "planned";

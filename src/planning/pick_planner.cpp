@@ -133,7 +133,7 @@ class Planner {
 
 }  // namespace
 
-std::string name(PickOutcome outcome) {
+std::string toString(PickOutcome outcome) {
   switch (outcome) {
     case PickOutcome::kPlanned:
       return "planned";
@@ -181,7 +181,7 @@ ActionOutcome outcomeOf(PickOutcome outcome) {
   return ActionOutcome::kUnreachable;
 }
 
-std::string name(PickStage stage) {
+std::string toString(PickStage stage) {
   switch (stage) {
     case PickStage::kReach:
       return "reach";
@@ -202,7 +202,7 @@ std::string name(PickStage stage) {
 const PickMotion& PickPlan::motion(PickStage stage) const {
   for (const PickMotion& motion : motions)
     if (motion.stage == stage) return motion;
-  throw BadInput("the plan has no motion \"" + name(stage) + "\"");
+  throw BadInput("the plan has no motion \"" + toString(stage) + "\"");
 }
 
 std::vector<Trajectory> PickPlan::trajectories() const {

@@ -47,7 +47,7 @@ struct Coordinates {
     rotation_axes.col(0) = free.unitOrthogonal();
     rotation_axes.col(1) = free.cross(rotation_axes.col(0));
   }
-  void turn(Matrix6d* h, Vector6d* g) const {
+  void rotate(Matrix6d* h, Vector6d* g) const {
     if (!held) return;
     h->rightCols<3>() = (h->rightCols<3>() * rotation_axes).eval();
     h->bottomRows<3>() = (rotation_axes.transpose() * h->bottomRows<3>()).eval();
@@ -104,7 +104,7 @@ void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* 
   Matrix6d h = at.hessian;
   Vector6d unused = Vector6d::Zero();
   const Coordinates coordinates(pose, axis);
-  coordinates.turn(&h, &unused);
+  coordinates.rotate(&h, &unused);
 
   const int unknowns = axis.present ? 5 : 6;
   result->well_posed = fullRank(h);
@@ -170,7 +170,7 @@ RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vec
     // The loss is flatter than its weights say, by mean psi' / mean w: steps as long as Newton's once it is
     // settled
     if (settled) h *= std::clamp(now.slope / now.weights, 0.5, 1.0);
-    coordinates.turn(&h, &g);
+    coordinates.rotate(&h, &g);
     if (!dampedStep(h, g, lambda, &step)) {
       lambda = std::max(1e-8, lambda * 10);
       continue;
@@ -212,24 +212,24 @@ RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vec
 }
 
 double lineResidual(const Rigid3& pose, const Camera& camera, const LineMatch& match, Vector6d* derivative) {
-  const Eigen::Vector3d turned = pose.rotation * match.p_in_object, p = turned + pose.translation;
+  const Eigen::Vector3d rotated = pose.rotation * match.p_in_object, p = rotated + pose.translation;
   if (derivative) {
     const double z = 1 / p.z(), nx = match.normal.x() * camera.fx * z, ny = match.normal.y() * camera.fy * z;
     const Eigen::Vector3d a(nx, ny, -(nx * p.x() + ny * p.y()) * z);
-    *derivative << a, turned.cross(a);
+    *derivative << a, rotated.cross(a);
   }
   return match.normal.dot(camera.project(p) - match.uv);
 }
 
 Eigen::Vector2d pointResidual(const Rigid3& pose, const Camera& camera, const PointMatch& match,
                               Eigen::Matrix<double, 2, 6>* derivative) {
-  const Eigen::Vector3d turned = pose.rotation * match.p_in_object, p = turned + pose.translation;
+  const Eigen::Vector3d rotated = pose.rotation * match.p_in_object, p = rotated + pose.translation;
   if (derivative) {
     const double z = 1 / p.z();
     const Eigen::Vector3d u(camera.fx * z, 0, -camera.fx * p.x() * z * z),
         v(0, camera.fy * z, -camera.fy * p.y() * z * z);
-    derivative->row(0) << u.transpose(), turned.cross(u).transpose();
-    derivative->row(1) << v.transpose(), turned.cross(v).transpose();
+    derivative->row(0) << u.transpose(), rotated.cross(u).transpose();
+    derivative->row(1) << v.transpose(), rotated.cross(v).transpose();
   }
   return camera.project(p) - match.uv;
 }

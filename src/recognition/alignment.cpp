@@ -79,7 +79,7 @@ std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchIma
 
 // Where two features answer to one image edge, as the front and the back rim of a face seen straight on do,
 // the nearer one is what the image shows; counted twice the edge would seem to fix the tilt.
-std::vector<FeatureSample> withoutDoubles(std::vector<ContourMatch> matches) {
+std::vector<FeatureSample> uniqueEdgeMatches(std::vector<ContourMatch> matches) {
   constexpr int kNear = 2;  // edge points apart along their trace
   std::stable_sort(matches.begin(), matches.end(),
                    [](const ContourMatch& a, const ContourMatch& b) { return a.edge_point < b.edge_point; });
@@ -198,7 +198,7 @@ RefinedPose alignByFeatures(const SearchModel& model, const SearchImage& image, 
   best.camera_from_object = start;
   for (int round = 0; round < kFeatureRounds; ++round) {
     const Rigid3& pose = best.camera_from_object;
-    std::vector<FeatureSample> samples = withoutDoubles(matchContour(model, image, pose, range, step));
+    std::vector<FeatureSample> samples = uniqueEdgeMatches(matchContour(model, image, pose, range, step));
     if (samples.size() < kMinMatches) break;
     correctBlurBias(pose, image.camera, &samples);
     const RefinedPose refined = refineByFeatures(pose, image.camera, samples, axis);

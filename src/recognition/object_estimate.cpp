@@ -6,7 +6,7 @@
 
 namespace monocular_eye_hand {
 
-const char* name(Decision decision) {
+std::string toString(Decision decision) {
   switch (decision) {
     case Decision::kAccepted:
       return "accepted";
@@ -26,7 +26,7 @@ void SupportPlane::check() const {
     throw BadInput("support plane: tolerance = " + std::to_string(tolerance) + " must not be negative [m]");
 }
 
-const char* name(Fate fate) {
+std::string toString(Fate fate) {
   switch (fate) {
     case Fate::kAccepted:
       return "accepted";

@@ -102,7 +102,7 @@ JudgedCandidate reportJudged(const SearchTask& task, const Candidate& candidate)
   JudgedCandidate judged;
   judged.object = candidate.object;
   judged.name = model.model().name;
-  judged.kind = name(candidate.kind);
+  judged.kind = toString(candidate.kind);
   judged.camera_from_object = candidate.pose.camera_from_object;
   judged.plausibility = plausibility(weight, candidate.terms);
   judged.reliability = reliability(weight, candidate.terms);

@@ -149,7 +149,7 @@ HtmlPage::Card CaseCards::missed(const MissedObject& missed) {
   std::vector<Outline> outlines{{&model(truth.object), truth.camera_from_object, kTruthColour}};
   HtmlPage::Card card;
   card.title = partName(truth.object) + ", " + place(truth.scene, truth.image);
-  card.badge = missed.limit.empty() ? name(missed.lost.stage) : "limit";
+  card.badge = missed.limit.empty() ? toString(missed.lost.stage) : "limit";
   card.badge_class = missed.limit.empty() ? "rejected" : "ambiguous";
   card.text = missedText(missed) + (missed.traced ? traceText(*missed.traced) : "");
   if (missed.nearest >= 0) {
@@ -184,7 +184,7 @@ HtmlPage::Card CaseCards::wrong(const WrongAccept& wrong) {
   std::vector<Outline> outlines{{&model(row.object), row.camera_from_object, kWrongColour}};
   HtmlPage::Card card;
   card.title = partName(row.object) + " p " + probabilityText(row.score) + ", " + place(row.scene, row.image);
-  card.badge = name(wrong.cause);
+  card.badge = toString(wrong.cause);
   card.badge_class = "rejected";
   card.text = wrongText(wrong);
   const int shown = wrong.on >= 0 ? wrong.on : row.nearest;

@@ -48,14 +48,14 @@ class Drawing {
     body_ += "\"/>";
   }
   void text(double x, double y, const std::string& text, Anchor anchor, double size = 12,
-            const char* colour = kSoft, double turned = 0) {
+            const char* colour = kSoft, double rotation = 0) {
     const char* side = anchor == Anchor::kStart ? "start" : anchor == Anchor::kMiddle ? "middle" : "end";
-    body_ +=
-        "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + side + "\" font-size=\"" +
-        number(size) + "\" fill=\"" + colour + "\"" +
-        (turned == 0 ? std::string()
-                     : " transform=\"rotate(" + number(turned) + " " + number(x) + " " + number(y) + ")\"") +
-        ">" + escapeHtml(text) + "</text>";
+    body_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + side +
+             "\" font-size=\"" + number(size) + "\" fill=\"" + colour + "\"" +
+             (rotation == 0
+                  ? std::string()
+                  : " transform=\"rotate(" + number(rotation) + " " + number(x) + " " + number(y) + ")\"") +
+             ">" + escapeHtml(text) + "</text>";
   }
 
   std::string svg(const std::string& title) {

@@ -184,9 +184,9 @@ class PageWriter {
            "Lines that corners connect, one colour per group");
     int index = 0;
     for (const GroupingPicture& shown : groupingPictures(search_grey_, result_.features, result_.groupings))
-      figure("groupings_" + std::to_string(index++) + ".png", shown.picture,
-             std::string(name(shown.kind)) + ": " + std::to_string(shown.shown) + " of " +
-                 std::to_string(shown.total));
+      figure(
+          "groupings_" + std::to_string(index++) + ".png", shown.picture,
+          toString(shown.kind) + ": " + std::to_string(shown.shown) + " of " + std::to_string(shown.total));
     page_.endGrid();
   }
 

@@ -30,7 +30,7 @@ int64_t nanoseconds(double seconds) { return int64_t(std::llround(seconds * 1e9)
 
 }  // namespace
 
-const char* name(CellEvent::Kind kind) {
+std::string toString(CellEvent::Kind kind) {
   switch (kind) {
     case CellEvent::Kind::kCollision:
       return "collision";

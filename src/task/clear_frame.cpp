@@ -44,7 +44,7 @@ TaskResult ClearFrameTask::run() {
 bool ClearFrameTask::step() {
   if (stage_ == TaskStage::kDone) return false;
   if (cancelled_ && cancelled_()) {
-    finish(TaskOutcome::kCancelled, std::string("cancelled before the stage ") + name(stage_));
+    finish(TaskOutcome::kCancelled, "cancelled before the stage " + toString(stage_));
     return false;
   }
 
@@ -72,7 +72,7 @@ bool ClearFrameTask::step() {
         break;
     }
   } catch (const std::exception& e) {
-    finish(TaskOutcome::kFault, std::string("stage ") + name(stage_) + ": " + e.what());
+    finish(TaskOutcome::kFault, "stage " + toString(stage_) + ": " + e.what());
   }
   return stage_ != TaskStage::kDone;
 }
@@ -308,7 +308,7 @@ void ClearFrameTask::pick() {
         return stopped(result);
       case ActionOutcome::kUnreachable:
       case ActionOutcome::kInCollision:
-        why = std::string(name(result.outcome)) + ": " + result.reason;
+        why = toString(result.outcome) + ": " + result.reason;
     }
     if (cancelled_ && cancelled_()) return finish(TaskOutcome::kCancelled, "cancelled while picking");
   }
@@ -328,7 +328,7 @@ void ClearFrameTask::stopped(const ActionResult& result) {
   }
   const bool cancelled = result.outcome == ActionOutcome::kCancelled;
   finish(cancelled ? TaskOutcome::kCancelled : TaskOutcome::kFault,
-         std::string(name(stage_)) + " of " + label(entry(*chosen_).object) + ": " + result.reason);
+         toString(stage_) + " of " + label(entry(*chosen_).object) + ": " + result.reason);
 }
 
 void ClearFrameTask::verify() {

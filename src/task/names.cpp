@@ -33,7 +33,7 @@ void ClearFrameOptions::check() const {
   requireAtLeast("most_rounds", most_rounds, 1);
 }
 
-const char* name(TaskStage stage) {
+std::string toString(TaskStage stage) {
   switch (stage) {
     case TaskStage::kLook:
       return "look";
@@ -53,7 +53,7 @@ const char* name(TaskStage stage) {
   return "unknown";
 }
 
-const char* name(TaskOutcome outcome) {
+std::string toString(TaskOutcome outcome) {
   switch (outcome) {
     case TaskOutcome::kCleared:
       return "cleared";
@@ -69,7 +69,7 @@ const char* name(TaskOutcome outcome) {
   return "unknown";
 }
 
-const char* name(ObjectOutcome outcome) {
+std::string toString(ObjectOutcome outcome) {
   switch (outcome) {
     case ObjectOutcome::kWaiting:
       return "waiting";

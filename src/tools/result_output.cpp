@@ -23,7 +23,7 @@ std::string objectLine(const ObjectEstimate& object, size_t name_width) {
   char text[256];
   std::snprintf(text, sizeof text, "  %-*s %8.1f %8.1f %8.1f  %7.1f %7.1f %7.1f  %11.3f  %s", int(name_width),
                 object.name.c_str(), t.x(), t.y(), t.z(), rpy.x(), rpy.y(), rpy.z(), object.probability,
-                name(object.decision));
+                toString(object.decision).c_str());
   return text + (object.symmetry.empty() ? "" : ", " + object.symmetry) + "\n";
 }
 
@@ -43,7 +43,7 @@ Json objectJson(const ObjectEstimate& object, const ModelBase& models) {
   const Eigen::Matrix<double, 6, 6, Eigen::RowMajor> covariance = object.covariance;
   Json out;
   out["name"] = object.name;
-  out["decision"] = name(object.decision);
+  out["decision"] = toString(object.decision);
   out["probability"] = object.probability;
   out["plausibility"] = object.plausibility;
   out["reliability"] = object.reliability;

@@ -77,9 +77,9 @@ TEST(Puma560, InverseFindsTheJointsItCameFromWithTheirBranch) {
     arm.inverse(arm.baseFromTool0(q), JointVector::Zero(), &found);
     int same = 0;
     for (const ArmSolution& solution : found) {
-      EXPECT_EQ(name(arm.branch(solution.joints)), name(solution.branch));
+      EXPECT_EQ(toString(arm.branch(solution.joints)), toString(solution.branch));
       EXPECT_TRUE(arm.withinLimits(solution.joints));
-      seen.insert(name(solution.branch));
+      seen.insert(toString(solution.branch));
       if (largestDifference(solution.joints, q) < 1e-9) ++same;
     }
     EXPECT_EQ(same, 1) << q.transpose();
@@ -185,9 +185,9 @@ TEST(Puma560, BranchNames) {
     for (Elbow elbow : {Elbow::kUp, Elbow::kDown})
       for (Wrist wrist : {Wrist::kPositive, Wrist::kNegative}) {
         const Branch branch{shoulder, elbow, wrist};
-        EXPECT_EQ(branchOf(name(branch)), branch);
+        EXPECT_EQ(branchOf(toString(branch)), branch);
       }
-  EXPECT_EQ(name({Shoulder::kLeft, Elbow::kDown, Wrist::kNegative}), "left-down-negative");
+  EXPECT_EQ(toString({Shoulder::kLeft, Elbow::kDown, Wrist::kNegative}), "left-down-negative");
   EXPECT_THAT(refusal([] { branchOf("lefty"); }), HasSubstr("'lefty' is no branch"));
 }
 

@@ -132,10 +132,11 @@ TEST(Fusion, AFreeAxisIsNotAveraged) {
   double stamp = 0;
   for (const Eigen::Vector3d& eye : eyesAround(6)) {
     ObjectView v =
-        view(stamp + 1, eye, kTarget, {{kFlange, truth * turnAbout(*flange.symmetries.axis, stamp)}});
+        view(stamp + 1, eye, kTarget, {{kFlange, truth * rotationAbout(*flange.symmetries.axis, stamp)}});
     SeenObject& seen = v.objects[0];
-    seen.covariance = freedCovariance(flange, seen.camera_from_object,
-                                      heldCovariance(flange, seen.camera_from_object, seen.covariance));
+    seen.covariance =
+        withFreeAxisVariance(flange, seen.camera_from_object,
+                             conditionedOnFreeAxis(flange, seen.camera_from_object, seen.covariance));
     const ViewReport report = map.add(v);
     EXPECT_LT(report.decisions.at(0).chi_square, 1e-6);
     ++stamp;

@@ -135,8 +135,9 @@ TEST(PlanGrasps, UncertaintyAcrossAndAlongTheApproachCounts) {
 TEST(PlanGrasps, TheVarianceOfAFreeAxisDoesNotCount) {
   const ObjectModel flange = shipped("flange");
   const Rigid3 pose = onTable(0.45, 0, 0.4);
-  const Matrix6d held = heldCovariance(flange, pose, sigma(4e-4, 2e-3));
-  const GraspPlan a = plan(flange, pose, held), b = plan(flange, pose, freedCovariance(flange, pose, held));
+  const Matrix6d held = conditionedOnFreeAxis(flange, pose, sigma(4e-4, 2e-3));
+  const GraspPlan a = plan(flange, pose, held),
+                  b = plan(flange, pose, withFreeAxisVariance(flange, pose, held));
   ASSERT_FALSE(a.candidates.empty()) << a.reason;
   ASSERT_EQ(a.candidates.size(), b.candidates.size());
   EXPECT_NEAR(a.candidates[0].needed, b.candidates[0].needed, 1e-9);

@@ -338,7 +338,7 @@ TEST(Candidates, NeedWhatTheGroupingShows) {
     else if (g.kind == GroupingKind::kEllipsePair || g.kind == GroupingKind::kEllipseLine)
       EXPECT_TRUE(g.candidates.empty());
     else
-      EXPECT_EQ(g.candidates, std::vector<int>{0}) << name(g.kind);
+      EXPECT_EQ(g.candidates, std::vector<int>{0}) << toString(g.kind);
   }
 }
 

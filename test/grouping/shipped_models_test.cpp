@@ -138,11 +138,11 @@ TEST_P(Shipped, CandidatesAndOrdersHoldTheTruth) {
       // A ring in space is no face, even when it looks like one.
       if (g.kind == GroupingKind::kQuad && !flat(object, g, edges)) continue;
       ++checked;
-      EXPECT_TRUE(std::binary_search(g.candidates.begin(), g.candidates.end(), index)) << name(g.kind);
+      EXPECT_TRUE(std::binary_search(g.candidates.begin(), g.candidates.end(), index)) << toString(g.kind);
       EXPECT_TRUE(
           std::any_of(groupings.begin(), groupings.end(),
                       [&](const ModelGrouping& m) { return explained(g, m, object, f.camera, pose); }))
-          << name(g.kind) << " " << name(g.shape) << " trial " << trial;
+          << toString(g.kind) << " " << toString(g.shape) << " trial " << trial;
     }
   }
   EXPECT_GT(checked, 200);

@@ -27,7 +27,7 @@ TEST(EqualPoses, TheNearestOfAGroupIsTaken) {
 TEST(EqualPoses, FreeAxisAndSphereTurnAllTheWay) {
   const ObjectModel pipe = buildModel("tube", moved(tube(48, 0.03, 0.02, 0.05), somewhere(4)));
   ASSERT_TRUE(pipe.symmetries.axis.has_value());
-  const Rigid3 pose = somewhere(5), wanted = pose * turnAbout(*pipe.symmetries.axis, 1.1);
+  const Rigid3 pose = somewhere(5), wanted = pose * rotationAbout(*pipe.symmetries.axis, 1.1);
   EXPECT_THAT(wanted, PoseNear(nearestEqualPose(pipe, pose, wanted), 0.0001, 6e-06));
   ObjectModel ball = buildModel("ball", moved(sphere(32, 0.02), somewhere(6)));
   ball.symmetries = {};
@@ -48,19 +48,19 @@ TEST(FreeTurns, HeldAndFreedAreInverse) {
       model.symmetries = {};
       model.symmetries.sphere = true;
     }
-    const Matrix6d held = heldCovariance(model, pose, covariance);
+    const Matrix6d held = conditionedOnFreeAxis(model, pose, covariance);
     // However large the variance of the free angle is: what is held does not know it.
-    const Matrix6d again = heldCovariance(model, pose, freedCovariance(model, pose, held));
+    const Matrix6d again = conditionedOnFreeAxis(model, pose, withFreeAxisVariance(model, pose, held));
     EXPECT_LT((again - held).cwiseAbs().maxCoeff(), 1e-14);
     const Eigen::Vector3d axis = ball ? Eigen::Vector3d(0.6, 0, 0.8)
                                       : Eigen::Vector3d(pose.rotation * model.symmetries.axis->direction);
     EXPECT_NEAR(axis.dot(held.bottomRightCorner<3, 3>() * axis), 0, 1e-18);
-    const Matrix6d freed = freedCovariance(model, pose, held);
+    const Matrix6d freed = withFreeAxisVariance(model, pose, held);
     EXPECT_NEAR(axis.dot(freed.bottomRightCorner<3, 3>() * axis), M_PI * M_PI / 3, 1e-9);
   }
   model.symmetries = {};
-  EXPECT_EQ(heldCovariance(model, pose, covariance), covariance);
-  EXPECT_EQ(freedCovariance(model, pose, covariance), covariance);
+  EXPECT_EQ(conditionedOnFreeAxis(model, pose, covariance), covariance);
+  EXPECT_EQ(withFreeAxisVariance(model, pose, covariance), covariance);
 }
 
 }  // namespace

@@ -261,7 +261,7 @@ TEST(Cache, FolderFollowsTheEnvironment) {
   EXPECT_EQ(files, 1);
 }
 
-TEST(LookAlikes, AreWarnedAboutInBothModels) {
+TEST(SimilarModels, AreWarnedAboutInBothModels) {
   ObjectEntry twin = entry("bridge");
   twin.name = "bridge2";
   ObjectEntry larger = twin;

@@ -228,7 +228,7 @@ TEST(P3P, NearTheDangerCylinder) {
 }
 
 TEST(P3P, BearingsInOnePlane) {
-  // Collinear image points, the seed's figure 6: the lens lies in the plane of the object's points.
+  // Collinear image points, figure 6 of Wong et al.: the lens lies in the plane of the object's points.
   Random random(6);
   for (int i = 0; i < 2000; ++i) {
     Matrix3d points = randomTriangle(random, 0.2);

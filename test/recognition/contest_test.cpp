@@ -86,8 +86,8 @@ class Bar : public testing::Test {
   // The right pose and the turned one, both of probability 0.8, as candidates that explain the same place.
   std::vector<Candidate> settled(const SearchImage& image, int chosen) {
     const SearchTask task{image, models_, wanted_, options_};
-    const Rigid3 turn = turnAbout(models_[0].model().centre(),
-                                  Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+    const Rigid3 turn = rotationAbout(models_[0].model().centre(),
+                                      Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
     std::vector<Candidate> candidates{verified(image, models_[0], camera_from_bar_),
                                       verified(image, models_[0], camera_from_bar_ * turn)};
     for (Candidate& candidate : candidates) {
@@ -137,8 +137,8 @@ TEST_F(Bar, WhatThisViewHidesLeavesBothAsLikelyAndTheWinnerRanksAsBothTogether) 
 }
 
 TEST_F(Bar, PosesCoincideWhenNoCameraTellsTheirSurfacesApart) {
-  const Rigid3 turn = turnAbout(models_[0].model().centre(),
-                                Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+  const Rigid3 turn = rotationAbout(models_[0].model().centre(),
+                                    Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
   const auto coincideAt = [&](double distance, const Rigid3& motion) {
     Rigid3 pose;
     pose.translation.z() = distance;
@@ -159,8 +159,8 @@ TEST_F(Bar, OneThatIsFarBehindDoesNotCompete) {
   std::vector<Candidate> candidates{verified(image, models_[0], camera_from_bar_)};
   candidates.push_back(candidates[0]);
   candidates[1].pose.camera_from_object =
-      camera_from_bar_ * turnAbout(models_[0].model().centre(),
-                                   Eigen::AngleAxisd(1, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+      camera_from_bar_ * rotationAbout(models_[0].model().centre(),
+                                       Eigen::AngleAxisd(1, Eigen::Vector3d::UnitZ()).toRotationMatrix());
   verify(models_[0], image, &candidates[1]);
   candidates[0].probability = 0.9;
   StageLog log;

@@ -96,20 +96,20 @@ TEST(Proposals, OfAnUnknownObjectAreRefused) {
 
 TEST(BoxTurns, LeaveTheBoxWhereItIsAndAreNoSymmetries) {
   const auto frame = size_t(indexOf("frame"));
-  EXPECT_THAT(SearchModel(shippedModels().objects.at(frame)).boxTurns(), testing::IsEmpty())
+  EXPECT_THAT(SearchModel(shippedModels().objects.at(frame)).boxRotations(), testing::IsEmpty())
       << "all its half turns are symmetries";
   for (const char* name : {"bridge", "grenade", "flange", "bracket"}) {
     const SearchModel model(shippedModels().objects.at(size_t(indexOf(name))));
     const Symmetries& symmetries = model.model().symmetries;
-    EXPECT_GE(model.boxTurns().size(), 1u) << name;
-    for (const Rigid3& turn : model.boxTurns()) {
+    EXPECT_GE(model.boxRotations().size(), 1u) << name;
+    for (const Rigid3& turn : model.boxRotations()) {
       EXPECT_LT((turn * model.model().centre() - model.model().centre()).norm(), 1e-9) << name;
       const Rigid3 equal = nearestEqualPose(model.model(), turn, Rigid3{});
       EXPECT_GT(angleBetween(equal.rotation, Eigen::Matrix3d::Identity()), 0.1)
           << name << " has this symmetry";
     }
     if (symmetries.axis) {
-      EXPECT_EQ(model.boxTurns().size(), 1u) << name << ": only the flip is a twin";
+      EXPECT_EQ(model.boxRotations().size(), 1u) << name << ": only the flip is a twin";
     }
   }
 }
@@ -120,7 +120,7 @@ TEST(Twins, OfAPoseThatIsWrongByAHalfTurnTheRightOneIsFound) {
   const Rigid3 truth = picture.truth.at(0).camera_from_object;
   const Rigid3 turned =
       truth *
-      turnAbout(bracket.centre(), Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+      rotationAbout(bracket.centre(), Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
 
   const SearchOf search("bracket", picture);
   Candidate wrong;
@@ -144,7 +144,7 @@ TEST(NearbyPoses, ADoubtfulCandidateThatIsTiltedGivesWayToTheRightPose) {
   const ObjectModel& bracket = shippedModel("bracket");
   const Rigid3 truth = picture.truth.at(0).camera_from_object;
   const Eigen::AngleAxisd tilt(0.15, Eigen::Vector3d(0.6, 0.8, 0));
-  const Rigid3 tilted = truth * turnAbout(bracket.centre(), tilt.toRotationMatrix());
+  const Rigid3 tilted = truth * rotationAbout(bracket.centre(), tilt.toRotationMatrix());
 
   const SearchOf search("bracket", picture);
   Candidate doubt;

@@ -98,7 +98,7 @@ TEST_F(EveryKind, GivesTheTruePose) {
   EXPECT_EQ(tried.size(), size_t(kGroupingKinds - 1)) << "the shipped parts have every kind of grouping";
   // Coplanar points seen head-on, or three points on the danger cylinder, may have the true pose as a double
   // root that noise of 1e-16 makes complex.
-  for (const auto& [kind, count] : tried) EXPECT_GE(found[kind], 0.95 * count) << name(kind);
+  for (const auto& [kind, count] : tried) EXPECT_GE(found[kind], 0.95 * count) << toString(kind);
 }
 
 TEST_F(EveryKind, ARangeLeavesOutWhatIsSurelyNearerAndNothingElse) {

@@ -280,7 +280,7 @@ TEST_P(JudgedOn, TheChosenOnesAreThoseThatAreReported) {
     EXPECT_EQ((*same)->plausibility, judged.plausibility);
     EXPECT_EQ((*same)->reliability, judged.reliability);
     EXPECT_EQ((*same)->evidence, judged.evidence);
-    EXPECT_STREQ(name((*same)->decision), name(judged.fate));
+    EXPECT_EQ(toString((*same)->decision), toString(judged.fate));
     EXPECT_EQ((*same)->spoke_against.empty(), judged.strongest_against.empty());
     if (!judged.strongest_against.empty()) {
       EXPECT_THAT((*same)->spoke_against.front(), testing::StartsWith(judged.strongest_against + " "));

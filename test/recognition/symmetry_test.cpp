@@ -99,7 +99,7 @@ TEST(FreeAxis, TheAngleOfTheLastFrameIsKept) {
     // The same image, as sure of the point that both origins turn about.
     const auto sigma = [&](const ObjectEstimate& o) {
       const Eigen::Vector3d arm = o.camera_from_object.rotation * axis.point;
-      return carried(motionAtOffset(arm), o.covariance).diagonal().head<3>().cwiseSqrt().eval();
+      return propagate(adjointOfTranslation(arm), o.covariance).diagonal().head<3>().cwiseSqrt().eval();
     };
     EXPECT_LT((sigma(again) - sigma(first)).norm(), 1e-6 * sigma(first).norm()) << angle;
   }

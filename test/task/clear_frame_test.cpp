@@ -53,7 +53,7 @@ TEST(ClearFrame, CarriesEverythingOut) {
   };
   for (const TaskStage stage : {TaskStage::kLook, TaskStage::kChoose, TaskStage::kConfirm, TaskStage::kPick,
                                 TaskStage::kVerify, TaskStage::kCarry})
-    EXPECT_GE(about(stage), 3) << name(stage);
+    EXPECT_GE(about(stage), 3) << toString(stage);
   EXPECT_FALSE(task.step());
 }
 

@@ -19,7 +19,7 @@ struct CharacteristicView {
   std::vector<int> views;       ///< SampledViews merged in it
   std::vector<int> groups;      ///< visible contour groups, ascending
   std::vector<double> visible;  ///< per group: mean visible share of its length
-  /// Per group: the seed's pre-calculated weighting score, sums to 1 over the view. Proportional to
+  /// Per group: the pre-calculated weighting score of Wong et al., sums to 1 over the view. Proportional to
   /// sqrt(l / L) (1 + ln(V / v)): l of the view's visible contour length L belongs to the group, and v of all
   /// V views show it. A long feature weighs more, and so does one that few other views offer.
   std::vector<double> weight;
