@@ -15,7 +15,7 @@ function(room name)
   target_include_directories(${target}
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(${target} PUBLIC ${ARG_LINK})
+  target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE fmt::fmt)  # no public header shows fmt
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} DEFINE_SYMBOL "")
@@ -28,7 +28,7 @@ function(tool name)
   set(target monocular_eye_hand_tool_${name})
   add_executable(${target} ${ARG_SOURCES})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(${target} PRIVATE ${ARG_LINK})
+  target_link_libraries(${target} PRIVATE ${ARG_LINK} fmt::fmt)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
   precompile(${target} program)

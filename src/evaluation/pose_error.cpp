@@ -67,9 +67,9 @@ double mspd(const Rigid3& estimate, const Rigid3& truth, const Eigen::Matrix3d& 
 }
 
 double adi(const Rigid3& estimate, const Rigid3& truth, const std::vector<Eigen::Vector3d>& vertices,
-           size_t most) {
+           size_t max_vertices) {
   const Rigid3 truth_from_estimate = truth.inverse() * estimate;
-  const size_t stride = 1 + vertices.size() / std::max<size_t>(most, 1);
+  const size_t stride = 1 + vertices.size() / std::max<size_t>(max_vertices, 1);
   double sum = 0;
   size_t count = 0;
   for (size_t i = 0; i < vertices.size(); i += stride) {

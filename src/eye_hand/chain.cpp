@@ -1,21 +1,16 @@
 #include "monocular_eye_hand/eye_hand/chain.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-void requireSigma(const std::string& field, double value) {
-  if (std::isfinite(value) && value >= 0) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be finite and not negative";
-  throw BadInput(text.str());
-}
 
 Matrix6d diagonal(double position_sigma, double rotation_sigma) {
   Vector6d variance;
@@ -27,14 +22,14 @@ Matrix6d diagonal(double position_sigma, double rotation_sigma) {
 }  // namespace
 
 void ArmErrorOptions::check() const {
-  requireSigma("position_sigma", position_sigma);
+  requireNotNegative("position_sigma", position_sigma);
   for (size_t k = 0; k < joint_sigma.size(); ++k)
-    requireSigma("joint_sigma[" + std::to_string(k) + "]", joint_sigma[k]);
+    requireNotNegative(fmt::format("joint_sigma[{}]", k), joint_sigma[k]);
 }
 
 void HandEyeErrorOptions::check() const {
-  requireSigma("position_sigma", position_sigma);
-  requireSigma("rotation_sigma", rotation_sigma);
+  requireNotNegative("position_sigma", position_sigma);
+  requireNotNegative("rotation_sigma", rotation_sigma);
 }
 
 void requirePose(const Rigid3& pose, const char* what) {

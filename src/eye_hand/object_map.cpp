@@ -1,9 +1,10 @@
 #include "monocular_eye_hand/eye_hand/object_map.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 #include "eye_hand/expected.h"
@@ -17,7 +18,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-std::string label(const MappedObject& object) { return object.name + " " + std::to_string(object.number); }
+std::string label(const MappedObject& object) { return fmt::format("{} {}", object.name, object.number); }
 
 void checkView(const ObjectView& view, const ModelBase& models) {
   if (!std::isfinite(view.stamp)) throw BadInput("the view's stamp is not finite");
@@ -28,14 +29,14 @@ void checkView(const ObjectView& view, const ModelBase& models) {
   requireCovariance(view.hand_eye.covariance, "covariance of tool0_from_camera");
   for (const SeenObject& seen : view.objects) {
     if (seen.object < 0 || seen.object >= int(models.objects.size()))
-      throw BadInput("object " + std::to_string(seen.object) + " is not in the model base (" +
-                     models.names() + "); recognition and eye-hand must load the same one");
+      throw BadInput(fmt::format(
+          "object {} is not in the model base ({}); recognition and eye-hand must load the same one",
+          seen.object, models.names()));
     const std::string& name = models.objects[size_t(seen.object)].model.name;
     requirePose(seen.camera_from_object, ("camera_from_object of " + name).c_str());
     requireCovariance(seen.covariance, ("covariance of " + name).c_str());
     if (!(seen.probability >= 0 && seen.probability <= 1))
-      throw BadInput("probability of " + name + " = " + std::to_string(seen.probability) +
-                     " must be between 0 and 1");
+      throw BadInput(fmt::format("probability of {} = {:g} must be between 0 and 1", name, seen.probability));
   }
 }
 
@@ -69,10 +70,8 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   std::vector<size_t> source;
   for (size_t i = 0; i < view.objects.size(); ++i) {
     if (view.objects[i].probability < options_.min_probability) {
-      std::ostringstream text;
-      text << "probability " << view.objects[i].probability << " is below min_probability "
-           << options_.min_probability;
-      report.decisions[i].reason = text.str();
+      report.decisions[i].reason = fmt::format("probability {:g} is below min_probability {:g}",
+                                               view.objects[i].probability, options_.min_probability);
       continue;
     }
     const Sighting seen = sighting(view, view.objects[i]);
@@ -118,9 +117,9 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   for (ViewDecision& decision : report.decisions)
     for (const Track& track : tracks_)
       if (track.key() == Key(decision.object, decision.number) && track.yields_to)
-        decision.reason += "; not told, since " +
-                           models_->objects[size_t(track.yields_to->first)].model.name + " " +
-                           std::to_string(track.yields_to->second) + " is there";
+        decision.reason +=
+            fmt::format("; not told, since {} {} is there",
+                        models_->objects[size_t(track.yields_to->first)].model.name, track.yields_to->second);
   return report;
 }
 
@@ -245,9 +244,8 @@ ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double ch
   decision.object = seen.object;
   decision.number = track->object.number;
   decision.chi_square = chi_square;
-  std::ostringstream text;
-  text << "chi-square " << chi_square << " against " << label(track->object) << " is above the gate of "
-       << options_.gate;
+  const std::string text = fmt::format("chi-square {:g} against {} is above the gate of {:g}", chi_square,
+                                       label(track->object), options_.gate);
 
   const auto disagrees = [&](const Sighting& other) { return !(chiSquare(other, seen) <= options_.gate); };
   if (std::any_of(track->outliers.begin(), track->outliers.end(), disagrees)) track->outliers.clear();
@@ -258,7 +256,7 @@ ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double ch
 
   if (int(track->outliers.size()) < options_.outliers_to_restart) {
     decision.outcome = ViewOutcome::kOutlier;
-    decision.reason = text.str();
+    decision.reason = text;
     return decision;
   }
 
@@ -266,7 +264,7 @@ ViewDecision ObjectMap::contradict(Track* track, const Sighting& seen, double ch
   *track = started(seen, stamp);
   track->object.number = number;
   decision.outcome = ViewOutcome::kRestarted;
-  decision.reason = text.str() + "; so many views in a row agree on another pose: it was moved";
+  decision.reason = text + "; so many views in a row agree on another pose: it was moved";
   return decision;
 }
 

@@ -31,10 +31,10 @@ bool collinear(const Stretch& a, const Stretch& b, const FeatureOptions& options
   const double cross = std::fabs(d.x() * shorter.direction.y() - d.y() * shorter.direction.x());
   if (!(cross < std::max(0.05, std::min(0.2, 4 * shorter.sigma_angle)))) return false;
 
-  const double most_aside = options.split_tolerance + 0.5;
+  const double max_aside = options.split_tolerance + 0.5;
   for (const Eigen::Vector2d& end : {shorter.p, shorter.q}) {
     const double along = d.dot(end - m), aside = std::fabs(n.dot(end - m));
-    if (aside > most_aside) return false;
+    if (aside > max_aside) return false;
     const double sigma =
         std::sqrt(longer.sigma_offset * longer.sigma_offset + std::pow(longer.sigma_angle * along, 2) +
                   shorter.sigma_offset * shorter.sigma_offset +

@@ -1,8 +1,9 @@
 #include "clearance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/covariance.h"
 
@@ -37,12 +38,10 @@ ClearanceNeed clearanceNeed(const Rigid3& base_from_object, const Matrix6d& held
   const auto refuse = [&](double wanted, double there, const char* where, const char* whose) {
     if (wanted - there <= need.shortfall) return;
     need.shortfall = wanted - there;
-    std::ostringstream text;
-    text << options.sigmas << " sigma of the pose need " << mm(wanted) << " mm " << where << ", " << whose
-         << ' ' << mm(there) << " mm";
+    need.refusal = fmt::format("{:g} sigma of the pose need {:g} mm {}, {} {:g} mm", options.sigmas,
+                               mm(wanted), where, whose, mm(there));
     if (where[0] == 'o')
-      text << " (opening " << mm(gripper.opening_max) << " mm, part " << mm(width) << " mm)";
-    need.refusal = text.str();
+      need.refusal += fmt::format(" (opening {:g} mm, part {:g} mm)", mm(gripper.opening_max), mm(width));
   };
   refuse(need.closing, free, "on each side of the part", "the gripper leaves");
   refuse(need.across, gripper.pad_width / 2, "across the pads", "half a pad is");

@@ -1,21 +1,11 @@
 #include "nodes/recognizer_parameters.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
-namespace {
-
-void requirePositive(const char* field, double value) {
-  if (value > 0) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be positive";
-  throw BadInput(text.str());
-}
-
-}  // namespace
 
 void SupportParameters::check() const {
   if (!std::isfinite(height)) throw BadInput("support.height is not finite");

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/planning/pick_planner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -75,8 +77,8 @@ class Planner {
     path = planPath(arm_.arm.options().joints, from, {to}, testIn(world), options);
     if (path.found()) return path;
     ++failed_searches_;
-    failure_.tell(none, std::string("no free path to ") + what + " found in " + std::to_string(path.tests) +
-                            " tests (budget " + std::to_string(options.budget) + ")");
+    failure_.tell(none, fmt::format("no free path to {} found in {} tests (budget {})", what, path.tests,
+                                    options.budget));
     return path;
   }
 

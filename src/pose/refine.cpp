@@ -1,13 +1,12 @@
 #include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "monocular_eye_hand/geometry/error.h"
 #include "pose/normal_equations.h"
 
 namespace monocular_eye_hand {
@@ -136,15 +135,10 @@ void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* 
 }  // namespace
 
 void RefineOptions::check() const {
-  const auto refuse = [](const char* field, double value, const char* rule) {
-    std::ostringstream text;
-    text << "refine: " << field << " = " << value << " must be " << rule;
-    throw BadInput(text.str());
-  };
-  if (max_iterations < 1 || max_iterations > 10000) refuse("max_iterations", max_iterations, "in 1..10000");
-  if (!(robust_scale == 0 || robust_scale >= 1) || !std::isfinite(robust_scale))
-    refuse("robust_scale", robust_scale, "0 (least squares) or at least 1");
-  if (!(min_step >= 0) || !std::isfinite(min_step)) refuse("min_step", min_step, "finite and not negative");
+  require(max_iterations >= 1 && max_iterations <= 10000, "max_iterations", max_iterations, "1 to 10000");
+  require(robust_scale == 0 || robust_scale >= 1, "robust_scale", robust_scale,
+          "0 (least squares) or at least 1");
+  requireNotNegative("min_step", min_step);
 }
 
 RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vector<LineMatch>& lines,

@@ -34,8 +34,8 @@ FreeAxis freeAxis(const ObjectModel& model) {
 double roundingSigma(double rounding, double dihedral) {
   return rounding * std::sin(0.5 * dihedral) / std::sqrt(3.0);
 }
-double roundingSigma(const ObjectModel& model, int group) {
-  const size_t edge = size_t(group), circle = edge - model.edges.size();
+double roundingSigma(const ObjectModel& model, int feature) {
+  const size_t edge = size_t(feature), circle = edge - model.edges.size();
   if (edge < model.edges.size()) return roundingSigma(model.edges[edge].rounding, model.edges[edge].dihedral);
   if (circle >= model.circles.size()) return 0;
   return roundingSigma(model.circles[circle].rounding, model.circles[circle].dihedral);
@@ -69,7 +69,7 @@ std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchIma
     sample.line = {s.p_in_object, point.uv.cast<double>(), normal,
                    std::hypot(s.rounding, std::max({kMinSigma, double(point.sigma), range / 3}))};
     sample.displacement = s.rounding;
-    sample.feature = s.group;
+    sample.feature = s.feature;
     const double across = s.direction.dot(point.normal.cast<double>());
     sample.appearance = {point.blur, std::asin(std::clamp(across, -1.0, 1.0))};
     matches.push_back({sample, found, (pose * s.p_in_object).z()});
@@ -119,8 +119,8 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
     const double length = direction.norm();
     if (!(length > 1e-9)) continue;  // seen end-on
     out.direction = direction / length;
-    out.group = s.group;
-    out.rounding = roundingSigma(model, s.group) * focalLength(camera) / p.z();
+    out.feature = s.feature;
+    out.rounding = roundingSigma(model, s.feature) * focalLength(camera) / p.z();
     out.silhouette = s.silhouette;
 
     if (s.inner_side != 0) {

@@ -194,7 +194,8 @@ struct TemplateSearch {
 
 }  // namespace
 
-std::vector<int> mostTellingSegments(const SearchImage& image, const std::vector<char>& usable, size_t most) {
+std::vector<int> mostTellingSegments(const SearchImage& image, const std::vector<char>& usable,
+                                     size_t max_count) {
   const std::vector<LineSegment>& segments = image.features.segments;
   std::vector<int> order;
   std::vector<double> said(segments.size(), 0);
@@ -206,7 +207,7 @@ std::vector<int> mostTellingSegments(const SearchImage& image, const std::vector
 
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return said[size_t(a)] > said[size_t(b)]; });
-  if (order.size() > most) order.resize(most);
+  if (order.size() > max_count) order.resize(max_count);
   return order;
 }
 

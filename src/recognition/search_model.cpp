@@ -69,7 +69,7 @@ SampledView resolvedView(const ObjectModel& model, const SampledView& view, cons
     s.p_in_object = view.contour[i].p;
     s.uv = flat.place[i] * (kCoarseSize / model.diameter);
     s.direction = flat.direction[i].normalized();
-    s.group = view.contour[i].group;
+    s.feature = view.contour[i].feature;
     s.silhouette = view.contour[i].silhouette;
     drawn.push_back(s);
   }
@@ -98,7 +98,7 @@ SearchModel::SearchModel(const KnownObject& object)
     std::vector<ViewSample> samples;
     for (int i : order) {
       const ContourSample& s = resolved.contour[i];
-      samples.push_back({s.p.cast<float>(), s.tangent.cast<float>(), s.group});
+      samples.push_back({s.p.cast<float>(), s.tangent.cast<float>(), s.feature});
     }
     // Fewer samples stand for the same contour: the step grows accordingly.
     if (!samples.empty()) step *= float(resolved.contour.size()) / float(samples.size());

@@ -28,15 +28,15 @@ std::vector<char> ownSamples(size_t count, int first, int last) {
 void addEdges(const ObjectModel& model, const SampledView& view, const Eigen::Matrix3d& rotation,
               const FlatView& flat, double step, std::vector<BaseEdge>* bases) {
   std::vector<int> visible(model.edges.size(), 0);
-  for (int group : flat.group)
-    if (group < int(visible.size())) ++visible[size_t(group)];
+  for (int feature : flat.feature)
+    if (feature < int(visible.size())) ++visible[size_t(feature)];
   for (size_t e = 0; e < model.edges.size(); ++e) {
     const ModelEdge& edge = model.edges[e];
     if (visible[e] * step < kMinVisible * (edge.q - edge.p).norm()) continue;
     BaseEdge base{flatPoint(edge.p, view, rotation, model.centre()),
-                  flatPoint(edge.q, view, rotation, model.centre()), std::vector<char>(flat.group.size())};
+                  flatPoint(edge.q, view, rotation, model.centre()), std::vector<char>(flat.feature.size())};
     if (base.length() < kMinShare * model.diameter) continue;
-    for (size_t i = 0; i < flat.group.size(); ++i) base.own[i] = flat.group[i] == int(e);
+    for (size_t i = 0; i < flat.feature.size(); ++i) base.own[i] = flat.feature[i] == int(e);
     bases->push_back(std::move(base));
   }
 }
@@ -79,13 +79,13 @@ void addStraightPieces(const ObjectModel& model, const SampledView& view, const 
                        std::vector<BaseEdge>* bases) {
   const int count = int(flat.place.size());
   const auto goesOn = [&](int i) {
-    return flat.group[size_t(i)] == flat.group[size_t(i) - 1] &&
+    return flat.feature[size_t(i)] == flat.feature[size_t(i) - 1] &&
            (view.contour[size_t(i)].p - view.contour[size_t(i) - 1].p).norm() < kNext * step;
   };
   for (int first = 0; first < count;) {
     int next = first + 1;
     while (next < count && goesOn(next)) ++next;
-    if (flat.group[size_t(first)] >= int(model.edges.size()))
+    if (flat.feature[size_t(first)] >= int(model.edges.size()))
       addStraight(flat, first, next - 1, model.diameter, bases);
     first = next;
   }

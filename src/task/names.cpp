@@ -1,16 +1,13 @@
-#include <sstream>
+#include <fmt/format.h>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 #include "monocular_eye_hand/task/clear_frame.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 void requireAtLeast(const char* field, double value, double least) {
-  if (value >= least) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be " << least << " or more";
-  throw BadInput(text.str());
+  require(value >= least, field, value, fmt::format("{:g} or more", least));
 }
 
 }  // namespace

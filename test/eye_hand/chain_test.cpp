@@ -144,7 +144,7 @@ TEST(Chain, BadInputIsNamed) {
   EXPECT_THAT(refusal([&] { handEye({}, eye_options); }), HasSubstr("rotation_sigma = -1"));
   ArmErrorOptions arm;
   EXPECT_THAT(refusal([&] { readOptions(parseYaml("joint_sigma: [0, 0, 0, 0, 0, -2]"), &arm); }),
-              HasSubstr("joint_sigma[5] = -2 must be finite and not negative"));
+              HasSubstr("joint_sigma[5] = -2 must be 0 or more"));
   EXPECT_THAT(refusal([&] { readOptions(parseYaml("position: 1"), &arm); }), HasSubstr("position_sigma"));
 }
 

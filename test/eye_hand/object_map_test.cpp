@@ -318,7 +318,7 @@ TEST(ObjectMap, BadInputLeavesTheMapAlone) {
   EXPECT_EQ(map.objects().at(0).last_stamp, 1);
   ObjectMapOptions options;
   EXPECT_THAT(refusal([&] { readOptions(parseYaml("gate: 0"), &options); }),
-              HasSubstr("gate = 0 must be above 0"));
+              HasSubstr("gate = 0 must be positive"));
   EXPECT_THAT(refusal([&] { readOptions(parseYaml("arm: {position_sigma: -1}"), &options); }),
               HasSubstr("position_sigma"));
 }

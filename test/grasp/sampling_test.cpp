@@ -175,7 +175,7 @@ TEST(Sampling, BadInputIsNamed) {
   EXPECT_THAT(refusal([&] { sampleGrasps(model, gripper); }), HasSubstr("friction = 0"));
   GraspSamplingOptions options;
   options.step = 0;
-  EXPECT_THAT(refusal([&] { sampleGrasps(model, {}, options); }), HasSubstr("step = 0 must be above 0"));
+  EXPECT_THAT(refusal([&] { sampleGrasps(model, {}, options); }), HasSubstr("step = 0 must be positive"));
   EXPECT_THAT(refusal([&] { sampleGrasps(ObjectModel{}, {}); }), HasSubstr("not built"));
 }
 

@@ -137,7 +137,7 @@ inline ViewSphere views(const ObjectModel& m, double distance, int count) {
         ContourSample s;
         s.p = m.edges[e].p + (k + 0.5) / 10 * (m.edges[e].q - m.edges[e].p);
         s.tangent = (m.edges[e].q - m.edges[e].p).normalized();
-        s.group = e;
+        s.feature = e;
         view.contour.push_back(s);
       }
     }

@@ -33,14 +33,14 @@ FeatureSet projectVisible(const ObjectModel& m, const Rigid3& camera_from_object
   FeatureSet f = empty();
   ContourOptions options;
   options.step = m.diameter / 150;
-  std::vector<int> samples(m.groupCount(), 0);
+  std::vector<int> samples(m.featureCount(), 0);
   for (const ContourSample& s : visibleContour(m, camera_from_object.inverse().translation, options))
-    ++samples[s.group];
+    ++samples[s.feature];
   edges->clear();
   std::normal_distribution<double> normal(0, 0.05);
   for (int e = 0; e < int(m.edges.size()); ++e) {
     const double length = (m.edges[e].q - m.edges[e].p).norm();
-    if (samples[m.groupOfEdge(e)] < 0.95 * length / options.step) continue;
+    if (samples[m.featureOfEdge(e)] < 0.95 * length / options.step) continue;
     Eigen::Vector2d p = f.camera.project(camera_from_object * m.edges[e].p);
     Eigen::Vector2d q = f.camera.project(camera_from_object * m.edges[e].q);
     if ((p - q).norm() < 20) continue;

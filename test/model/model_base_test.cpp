@@ -71,7 +71,7 @@ void expectEqual(const KnownObject& a, const KnownObject& b) {
     for (size_t s = 0; s < v.contour.size(); ++s) {
       EXPECT_EQ(v.contour[s].p, w.contour[s].p);
       EXPECT_EQ(v.contour[s].tangent, w.contour[s].tangent);
-      EXPECT_EQ(v.contour[s].group, w.contour[s].group);
+      EXPECT_EQ(v.contour[s].feature, w.contour[s].feature);
       EXPECT_EQ(v.contour[s].silhouette, w.contour[s].silhouette);
       EXPECT_EQ(v.contour[s].inner_side, w.contour[s].inner_side);
     }
@@ -79,7 +79,7 @@ void expectEqual(const KnownObject& a, const KnownObject& b) {
 
   ASSERT_EQ(a.views.characteristic.size(), b.views.characteristic.size());
   for (size_t k = 0; k < a.views.characteristic.size(); ++k) {
-    EXPECT_EQ(a.views.characteristic[k].groups, b.views.characteristic[k].groups);
+    EXPECT_EQ(a.views.characteristic[k].features, b.views.characteristic[k].features);
     EXPECT_EQ(a.views.characteristic[k].weight, b.views.characteristic[k].weight);
   }
 

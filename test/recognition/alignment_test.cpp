@@ -104,8 +104,8 @@ TEST_P(Alignment, TheProjectedContourLiesOnTheImageEdges) {
     ASSERT_LT((s.uv - picture_.camera.project(truth_ * s.p_in_object)).norm(), 1e-9);
     ASSERT_NEAR(s.direction.norm(), 1, 1e-9);
     ASSERT_EQ(s.inside, image_.domain.contains(s.uv.x(), s.uv.y()));
-    ASSERT_GE(s.group, 0);
-    ASSERT_LT(s.group, model_.model().groupCount());
+    ASSERT_GE(s.feature, 0);
+    ASSERT_LT(s.feature, model_.model().featureCount());
     ASSERT_EQ(s.edge_point, -1) << "matching comes later";
     outline += s.silhouette;
     on_edge += image_.raster.find(s.uv, {-s.direction.y(), s.direction.x()}, 2) >= 0;
@@ -129,12 +129,12 @@ TEST(ProjectedContour, TellsHowFarARoundedEdgeMayLieFromItsMiddle) {
   for (ModelEdge& edge : model.edges) edge.rounding = 1e-3;
   int of_edges = 0;
   for (const SeenSample& s : projectContour(model, pose, picture.camera, domain, 2)) {
-    if (s.group >= int(model.edges.size())) {
+    if (s.feature >= int(model.edges.size())) {
       EXPECT_EQ(s.rounding, 0);
       continue;
     }
     ++of_edges;
-    const double half_chord = 1e-3 * std::sin(model.edges[size_t(s.group)].dihedral / 2);
+    const double half_chord = 1e-3 * std::sin(model.edges[size_t(s.feature)].dihedral / 2);
     const double pixels_per_metre = picture.camera.fx / (pose * s.p_in_object).z();
     EXPECT_NEAR(s.rounding, half_chord * pixels_per_metre / std::sqrt(3.0), 0.02 * s.rounding);
   }

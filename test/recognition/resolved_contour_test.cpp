@@ -27,7 +27,7 @@ bool besideEachOther(const SeenSample& a, const SeenSample& b) {
   const Eigen::Vector2d apart = b.uv - a.uv;
   const double along = std::abs(a.direction.dot(apart));
   const double across = std::sqrt(std::max(0.0, apart.squaredNorm() - along * along));
-  return a.group != b.group && std::abs(a.direction.dot(b.direction)) > 0.9 && across < 2.5 && along < 3;
+  return a.feature != b.feature && std::abs(a.direction.dot(b.direction)) > 0.9 && across < 2.5 && along < 3;
 }
 
 TEST(ResolvedContour, OfAThickPlateIsAllOfIt) {
@@ -60,7 +60,7 @@ std::vector<SeenSample> lines(int count, double apart) {
       s.p_in_object = {4.0 * k, apart * line, 0};
       s.uv = {100 + 4.0 * k, 100 + apart * line};
       s.direction = {1, 0};
-      s.group = line;
+      s.feature = line;
       contour.push_back(s);
     }
   return contour;
@@ -72,7 +72,7 @@ TEST(CrowdedRings, AreTheInnerOnesOfMany) {
   const std::vector<SeenSample> contour = lines(7, 4);
   const std::vector<char> crowded = crowdedRings(rings, contour);
   for (size_t i = 0; i < contour.size(); ++i)
-    EXPECT_EQ(crowded[i] != 0, contour[i].group >= 2 && contour[i].group <= 4) << contour[i].group;
+    EXPECT_EQ(crowded[i] != 0, contour[i].feature >= 2 && contour[i].feature <= 4) << contour[i].feature;
 }
 
 TEST(CrowdedRings, AreNoFewRingsNorRingsFarApartNorStraightEdges) {

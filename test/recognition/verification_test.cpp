@@ -48,7 +48,7 @@ TEST_P(OnGolden, TheTruePoseIsBorneOutAndAShiftedOneIsNot) {
   EXPECT_GE(t.faces, 2);
   EXPECT_GT(t.solidity, 0.2);
   EXPECT_LE(t.solidity, 1);
-  EXPECT_EQ(right.matched_groups, int(std::lround(t.groups * (1 - t.unsupported))));
+  EXPECT_EQ(right.matched_features, int(std::lround(t.groups * (1 - t.unsupported))));
 
   for (const auto& [du, dv] : {std::pair{15.0, 0.0}, {0.0, 15.0}, {-12.0, 12.0}}) {
     const EvidenceTerms wrong = verified(image, model, shifted(truth, du, dv, picture.camera)).terms;
