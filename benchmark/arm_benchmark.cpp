@@ -6,7 +6,7 @@
 #include <kdl/chainiksolverpos_lma.hpp>
 #include <vector>
 
-#include "random_arm.h"
+#include "arm/random_arm.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "circle_image.h"
 #include "monocular_eye_hand/pose/circle_pose.h"
 #include "p3p_problems.h"
+#include "pose/circle_image.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -54,7 +55,7 @@ Problem draw(Random& random, const Camera& camera, double tilt) {
 
 /// Errors of the better of the two poses, as a share of the distance and in radians, at tilts of one range.
 void errors(benchmark::State& state, double low, double high) {
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   Random random(31);
   double missing = 0, wrong_first = 0;
   std::vector<double> all;
@@ -94,7 +95,7 @@ const int kRegistered = [] {
 }();
 
 void BM_CirclePointPoses(benchmark::State& state) {
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   Random random(32);
   std::vector<Problem> problems;
   for (int i = 0; i < 512; ++i) problems.push_back(draw(random, camera, uniform(random, 0.1, 1.4)));

@@ -75,13 +75,13 @@ std::vector<Sample> contourSamples(const BopImage& image, const Camera& camera, 
     ContourOptions options;
     options.step = 0.5 * (pose * model.centre()).z() / camera.fx;
     Eigen::Vector2d last(-1e9, -1e9);
-    int group = -1;
+    int feature = -1;
     for (const ContourSample& c : visibleContour(model, pose.inverse().translation, options)) {
       const Eigen::Vector3d p = pose * c.p;
       if (p.z() <= 0) continue;
       const Eigen::Vector2d uv = camera.project(p);
-      if (c.group == group && (uv - last).norm() < 1) continue;
-      group = c.group;
+      if (c.feature == feature && (uv - last).norm() < 1) continue;
+      feature = c.feature;
       last = uv;
       if (uv.x() < 3 || uv.y() < 3 || uv.x() > camera.width - 4 || uv.y() > camera.height - 4) continue;
       const Eigen::Vector2d ahead = camera.project(pose * (c.p + 1e-4 * c.tangent)) - uv;

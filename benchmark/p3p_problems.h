@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "random_pose.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
 

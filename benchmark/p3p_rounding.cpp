@@ -1,4 +1,4 @@
-// p3p_rounding OUT.csv   error of the pose from three exact points against their distance, by the seed's
+// p3p_rounding OUT.csv   error of the pose from three exact points against their distance, by the paper's
 // plain quartic, by the same with polished roots, and by the package's solver.
 #include <algorithm>
 #include <cstdio>
@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "monocular_eye_hand/pose/p3p.h"
-#include "seed_p3p.h"
+#include "paper_p3p.h"
 
 namespace {
 
@@ -23,8 +23,8 @@ struct Solver {
 
 const std::vector<Solver>& solvers() {
   static const std::vector<Solver> all = {
-      {"seed's quartic", [](const P3PProblem& p) { return seedP3P(p, false); }},
-      {"polished quartic", [](const P3PProblem& p) { return seedP3P(p, true); }},
+      {"paper's quartic", [](const P3PProblem& p) { return paperP3P(p, false); }},
+      {"polished quartic", [](const P3PProblem& p) { return paperP3P(p, true); }},
       {"solveP3P",
        [](const P3PProblem& p) {
          const PoseSolutions s = solveP3P(p.bearings, p.points);

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <random>
 
+#include "planning/scene.h"
 #include "planning_peer.h"
-#include "scene.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -189,7 +189,7 @@ void BM_PickPlan(benchmark::State& state) {
         const PickPlan plan = planPick(toolArm(), world, request);
         times.push_back(seconds() - begin);
         if (!plan.planned()) {
-          state.SetLabel(name(plan.outcome) + ": " + plan.reason);
+          state.SetLabel(toString(plan.outcome) + ": " + plan.reason);
           continue;
         }
         ++planned;

@@ -9,7 +9,8 @@
 #include "monocular_eye_hand/pose/corner_pose.h"
 #include "monocular_eye_hand/pose/p3p.h"
 #include "monocular_eye_hand/pose/refine.h"
-#include "random_pose.h"
+#include "support/camera.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -94,7 +95,7 @@ BENCHMARK(BM_CornerRotations);
 
 void BM_CirclePoses(benchmark::State& state) {
   Random random(3);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   std::vector<Ellipse> ellipses(kProblems);
   for (Ellipse& e : ellipses) {
     e.centre = {uniform(random, 50, 590), uniform(random, 50, 430)};
@@ -138,7 +139,7 @@ std::vector<Refinement> refinements(int lines, int points, const Camera& camera)
 
 /// Ten iterations, none saved by an early stop.
 void BM_RefineTenIterations(benchmark::State& state) {
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   const auto problems = refinements(int(state.range(0)), int(state.range(1)), camera);
   RefineOptions options;
   options.min_step = 0;
@@ -152,7 +153,7 @@ BENCHMARK(BM_RefineTenIterations)->Args({60, 0})->Args({0, 8});
 
 /// From 1 cm and 3 degrees off to convergence.
 void BM_RefineToConvergence(benchmark::State& state) {
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   const auto problems = refinements(int(state.range(0)), int(state.range(1)), camera);
   RefineOptions options;
   options.max_iterations = 20;
@@ -170,7 +171,7 @@ void BM_RefineToConvergence(benchmark::State& state) {
 BENCHMARK(BM_RefineToConvergence)->Args({60, 0, 3})->Args({0, 4, 0})->Args({0, 8, 0})->Args({0, 20, 0});
 
 void BM_BestFour(benchmark::State& state) {
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   const auto problems = refinements(0, int(state.range(0)), camera);
   size_t i = 0;
   for (auto _ : state) {

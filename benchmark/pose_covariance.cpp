@@ -63,7 +63,7 @@ Eigen::MatrixXd seenMotions(const ObjectModel& model, const Rigid3& pose) {
   }
   const int n = int(turns.rows());
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(3 + n, 6);
-  motions.topRows(3) = motionAtOffset(pose * centre - pose.translation).topRows(3);
+  motions.topRows(3) = adjointOfTranslation(pose * centre - pose.translation).topRows(3);
   motions.bottomRightCorner(n, 3) = turns;
   return motions;
 }

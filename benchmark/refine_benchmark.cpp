@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "monocular_eye_hand/pose/refine.h"
-#include "random_pose.h"
 #include "refine_peer.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
 namespace {

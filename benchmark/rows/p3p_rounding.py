@@ -1,4 +1,4 @@
-"""Rounding: pose error against distance for the seed's quartic, the same polished, and the package's solver."""
+"""Rounding: pose error against distance for the paper's quartic, the same polished, and the package's solver."""
 import csv
 import subprocess
 

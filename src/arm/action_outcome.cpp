@@ -2,7 +2,7 @@
 
 namespace monocular_eye_hand {
 
-const char* name(ActionOutcome outcome) {
+std::string toString(ActionOutcome outcome) {
   switch (outcome) {
     case ActionOutcome::kDone:
       return "done";

@@ -74,7 +74,7 @@ Rigid3 dhTransform(const DhRow& row, double angle) {
 
 }  // namespace
 
-std::string name(const Branch& branch) {
+std::string toString(const Branch& branch) {
   return kBranchNames[4 * (branch.shoulder == Shoulder::kLeft) + 2 * (branch.elbow == Elbow::kDown) +
                       (branch.wrist == Wrist::kNegative)];
 }

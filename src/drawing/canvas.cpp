@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/drawing/canvas.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -55,9 +57,9 @@ Canvas::Canvas(const cv::Mat& grey, const Camera& camera, double dim, const Pict
   if (grey.empty() || (grey.type() != CV_8UC1 && grey.type() != CV_8UC3))
     throw BadInput("drawing: an 8-bit image with one or three channels is needed");
   if (grey.cols != camera.width || grey.rows != camera.height)
-    throw BadInput("drawing: the image is " + std::to_string(grey.cols) + "x" + std::to_string(grey.rows) +
-                   " but the camera " + std::to_string(camera.width) + "x" + std::to_string(camera.height) +
-                   ": use the calibration of this image size");
+    throw BadInput(fmt::format(
+        "drawing: the image is {}x{} but the camera {}x{}: use the calibration of this image size", grey.cols,
+        grey.rows, camera.width, camera.height));
   scale_ = std::clamp((size.min_width + grey.cols - 1) / grey.cols, 1, 8);
   cv::Mat colour = grey;
   if (grey.channels() == 1) cv::cvtColor(grey, colour, cv::COLOR_GRAY2BGR);

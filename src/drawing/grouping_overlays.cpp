@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -49,19 +51,18 @@ void drawGrouping(Canvas* canvas, const FeatureSet& features, const Grouping& gr
 }
 
 std::vector<GroupingPicture> groupingPictures(const cv::Mat& grey, const FeatureSet& features,
-                                              const std::vector<Grouping>& groupings, int most) {
+                                              const std::vector<Grouping>& groupings, int max_lines) {
   std::map<GroupingKind, std::vector<const Grouping*>> by_kind;
   for (const Grouping& grouping : groupings) by_kind[grouping.kind].push_back(&grouping);
   std::vector<GroupingPicture> pictures;
   for (auto& [kind, members] : by_kind) {
     std::stable_sort(members.begin(), members.end(),
                      [](const Grouping* a, const Grouping* b) { return a->weight > b->weight; });
-    const int shown = std::min(std::max(most, 0), int(members.size()));
+    const int shown = std::min(std::max(max_lines, 0), int(members.size()));
     Canvas canvas(grey, features.camera, kDim);
     // The best ones last: on top.
     for (int k = shown - 1; k >= 0; --k) drawGrouping(&canvas, features, *members[k], paletteColour(k));
-    canvas.caption(std::string(name(kind)) + ": " + std::to_string(shown) + " of " +
-                   std::to_string(members.size()));
+    canvas.caption(fmt::format("{}: {} of {}", toString(kind), shown, members.size()));
     pictures.push_back({kind, shown, int(members.size()), canvas.picture()});
   }
   return pictures;

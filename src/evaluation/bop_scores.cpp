@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -205,8 +207,8 @@ BopScores scoreBop(const BopSplit& split, const BopModels& models, const std::ve
     const Key key(target.scene, target.image);
     target_images.insert(key);
     if (!split.find(key.first, key.second))
-      throw BadInput("the targets name scene " + std::to_string(key.first) + ", image " +
-                     std::to_string(key.second) + ", which the split does not have");
+      throw BadInput(fmt::format("the targets name scene {}, image {}, which the split does not have",
+                                 key.first, key.second));
     if (seen.insert(key).second) keys.push_back(key);
   }
   if (given_targets.empty()) {

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/evaluation/breakdown.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -52,11 +54,7 @@ int binOf(double value, const std::vector<double>& edges) {
   return int(above - edges.begin()) - 1;
 }
 
-std::string rangeLabel(double low, double high) {
-  char text[60];
-  std::snprintf(text, sizeof text, "%.4g\u2013%.4g", low, high);
-  return text;
-}
+std::string rangeLabel(double low, double high) { return fmt::format("{:.4g}\u2013{:.4g}", low, high); }
 
 std::vector<RecallBin> emptyBins(const std::vector<double>& edges) {
   std::vector<RecallBin> bins;
@@ -97,7 +95,7 @@ std::vector<GroupScore> scoresByScene(const BopSplit& split, const RunOutcomes& 
   for (const RowOutcome& row : run.rows) tallies[row.scene].add(row);
 
   std::vector<GroupScore> scores;
-  for (auto& [scene, tally] : tallies) scores.push_back(tally.finish("scene " + std::to_string(scene)));
+  for (auto& [scene, tally] : tallies) scores.push_back(tally.finish(fmt::format("scene {}", scene)));
   return scores;
 }
 
@@ -117,7 +115,7 @@ std::vector<GroupScore> scoresByPart(const BopSplit& split, const BopModels& mod
   for (auto& [object, tally] : tallies) {
     const auto model = models.find(object);
     scores.push_back(
-        tally.finish(model == models.end() ? "object " + std::to_string(object) : model->second.name));
+        tally.finish(model == models.end() ? fmt::format("object {}", object) : model->second.name));
   }
   return scores;
 }

@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/evaluation/causes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -41,24 +42,20 @@ double commonArea(const Hull& a, const Hull& b) {
   return cv::intersectConvexConvex(a, b, common);
 }
 
-std::string text(const char* format, double a, double b) {
-  char buffer[120];
-  std::snprintf(buffer, sizeof buffer, format, a, b);
-  return buffer;
-}
-
 std::string limitOf(const TruthOutcome& truth, const SearchLimits& limits, const InFrame& in_frame) {
   if (truth.distance < limits.min_distance)
-    return text("nearer than min_distance: %.3g m of %.3g m", truth.distance, limits.min_distance);
+    return fmt::format("nearer than min_distance: {:.3g} m of {:.3g} m", truth.distance, limits.min_distance);
   if (truth.distance > limits.max_distance)
-    return text("farther than max_distance: %.3g m of %.3g m", truth.distance, limits.max_distance);
+    return fmt::format("farther than max_distance: {:.3g} m of {:.3g} m", truth.distance,
+                       limits.max_distance);
   const double size = truth.size * limits.searched_scale;
   if (size < limits.min_size)
-    return text("smaller than min_size: %.3g px in the searched image of %.3g px", size, limits.min_size);
+    return fmt::format("smaller than min_size: {:.3g} px in the searched image of {:.3g} px", size,
+                       limits.min_size);
   const double inside = in_frame ? in_frame(truth) : 1;
   if (inside < limits.min_in_frame)
-    return text("less in the frame than min_in_frame: %.2g of its contour of %.2g", inside,
-                limits.min_in_frame);
+    return fmt::format("less in the frame than min_in_frame: {:.2g} of its contour of {:.2g}", inside,
+                       limits.min_in_frame);
   return "";
 }
 
@@ -86,7 +83,7 @@ std::string causeOf(const MissedObject& missed, const std::vector<JudgedPose>& j
                     const SearchLimits& limits) {
   if (!missed.limit.empty()) return "limit of the search: " + missed.limit.substr(0, missed.limit.find(':'));
   const LostAt& lost = missed.lost;
-  std::string cause = name(lost.stage);
+  std::string cause = toString(lost.stage);
   if (lost.stage <= LostAt::kNotJudged) return cause + judgedInstead(missed, judged);
 
   const JudgedPose& pose = judged[size_t(missed.nearest)];
@@ -215,7 +212,7 @@ std::vector<CauseCount> sorted(const std::map<std::string, int>& counts) {
 
 }  // namespace
 
-const char* name(WrongCause cause) {
+std::string toString(WrongCause cause) {
   switch (cause) {
     case WrongCause::kNearMiss:
       return "nearly right";
@@ -269,8 +266,8 @@ std::vector<WrongAccept> wrongAccepts(const BopSplit& split, const BopModels& mo
   for (const RowOutcome& row : run.rows) {
     if (row.right()) continue;
     if (!models.count(row.object))
-      throw BadInput("the results name object " + std::to_string(row.object) +
-                     ", which models_info.json does not list");
+      throw BadInput(
+          fmt::format("the results name object {}, which models_info.json does not list", row.object));
     WrongAccept wrong = placed(*split.find(row.scene, row.image), models, row);
     wrong.judged = judgedAs(row, judged);
     all.push_back(wrong);
@@ -288,7 +285,7 @@ std::vector<CauseCount> causeCounts(const std::vector<MissedObject>& missed) {
 
 std::vector<CauseCount> causeCounts(const std::vector<WrongAccept>& wrong) {
   std::map<std::string, int> counts;
-  for (const WrongAccept& one : wrong) ++counts[name(one.cause)];
+  for (const WrongAccept& one : wrong) ++counts[toString(one.cause)];
   return sorted(counts);
 }
 

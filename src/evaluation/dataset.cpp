@@ -1,7 +1,8 @@
 #include "monocular_eye_hand/evaluation/dataset.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <set>
 
@@ -23,11 +24,10 @@ Eigen::Matrix3d matrixAt(const json& value, const char* key, const std::string& 
 }
 
 std::string findImage(const fs::path& scene_dir, int id) {
-  char name[16];
-  std::snprintf(name, sizeof name, "%06d", id);
+  const std::string name = fmt::format("{:06}", id);
   for (const char* folder : {"gray", "rgb"})
     for (const char* extension : {".png", ".tif", ".tiff", ".jpg", ".jpeg"}) {
-      const fs::path path = scene_dir / folder / (std::string(name) + extension);
+      const fs::path path = scene_dir / folder / (name + extension);
       if (fs::exists(path)) return path.string();
     }
   return "";
@@ -39,7 +39,7 @@ std::vector<GroundTruth> readTruth(const json& entries, const json* infos, const
     throw BadInput(where + ": scene_gt_info.json does not list the same objects");
   std::vector<GroundTruth> truth;
   for (size_t k = 0; k < entries.size(); ++k) {
-    const std::string entry = where + ", object " + std::to_string(k);
+    const std::string entry = fmt::format("{}, object {}", where, k);
     GroundTruth gt;
     gt.object = integerAt(entries[k], "obj_id", entry);
     gt.camera_from_object = {matrixAt(entries[k], "cam_R_m2c", entry),
@@ -129,7 +129,7 @@ BopSplit loadBopSplit(const std::string& dataset_dir, const std::string& split,
     readScene(entry.path(), scene, wanted_images, &result.images);
   }
 
-  if (!left.empty()) throw BadInput(dir.string() + ": there is no scene " + std::to_string(*left.begin()));
+  if (!left.empty()) throw BadInput(fmt::format("{}: there is no scene {}", dir.string(), *left.begin()));
   if (result.images.empty()) throw BadInput(dir.string() + ": no image with ground truth to evaluate");
   std::sort(result.images.begin(), result.images.end(), [](const BopImage& a, const BopImage& b) {
     return std::make_pair(a.scene, a.id) < std::make_pair(b.scene, b.id);
@@ -143,8 +143,7 @@ std::vector<BopTarget> loadBopTargets(const std::string& path) {
   if (!entries.is_array() || entries.empty()) throw BadInput(path + ": a list of targets expected");
   std::vector<BopTarget> targets;
   for (size_t k = 0; k < entries.size(); ++k) {
-    const std::string where =
-        path + ": target " + std::to_string(k) + " (the form of test_targets_bop19.json)";
+    const std::string where = fmt::format("{}: target {} (the form of test_targets_bop19.json)", path, k);
     targets.push_back({integerAt(entries[k], "scene_id", where), integerAt(entries[k], "im_id", where),
                        integerAt(entries[k], "obj_id", where), integerAt(entries[k], "inst_count", where)});
   }
@@ -163,14 +162,14 @@ std::vector<BopTarget> visibleTargets(const BopSplit& split, double min_visible)
 }
 
 cv::Mat loadBopImage(const BopImage& image) {
-  const std::string name = "scene " + std::to_string(image.scene) + ", image " + std::to_string(image.id);
+  const std::string name = fmt::format("scene {}, image {}", image.scene, image.id);
   if (image.path.empty()) throw BadInput(name + ": no image file in gray/ or rgb/");
   return loadGreyImage(image.path);
 }
 
 Camera bopCamera(const BopImage& image, int width, int height) {
   const Eigen::Matrix3d& k = image.intrinsics;
-  const std::string where = "scene " + std::to_string(image.scene) + ", image " + std::to_string(image.id);
+  const std::string where = fmt::format("scene {}, image {}", image.scene, image.id);
   if (k(0, 1) != 0 || k(1, 0) != 0 || k(2, 0) != 0 || k(2, 1) != 0 || k(2, 2) != 1)
     throw BadInput(where + ": cam_K is not of the form fx 0 cx, 0 fy cy, 0 0 1 (skew is not supported)");
   Camera camera;

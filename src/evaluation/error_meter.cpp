@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/evaluation/error_meter.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "evaluation/pose_error.h"
@@ -15,8 +17,8 @@ ErrorMeter::ErrorMeter(const BopModels& models, double symmetry_step) : models_(
 const BopModel& ErrorMeter::model(int object) const {
   const auto at = models_.find(object);
   if (at == models_.end())
-    throw BadInput("the ground truth names object " + std::to_string(object) +
-                   ", which models_info.json does not list");
+    throw BadInput(
+        fmt::format("the ground truth names object {}, which models_info.json does not list", object));
   return at->second;
 }
 

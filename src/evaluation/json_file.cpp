@@ -1,5 +1,7 @@
 #include "evaluation/json_file.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -53,8 +55,7 @@ Eigen::Matrix<double, N, 1> numbersAt(const nlohmann::json& value, const char* k
   std::vector<double> numbers;
   flatten(memberOf(value, key, where), &numbers);
   if (numbers.size() != size_t(N))
-    throw BadInput(where + ": '" + key + "' has " + std::to_string(numbers.size()) + " numbers, " +
-                   std::to_string(N) + " expected");
+    throw BadInput(fmt::format("{}: '{}' has {} numbers, {} expected", where, key, numbers.size(), N));
   for (double number : numbers)
     if (!std::isfinite(number))
       throw BadInput(where + ": '" + key + "' holds something that is not a finite number");

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/evaluation/lens.h"
 
+#include <fmt/format.h>
+
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -16,8 +18,8 @@ bool sameLens(const Camera& a, const Camera& b) {
 
 cv::Mat LensWarp::apply(const cv::Mat& ideal, const Camera& lens) {
   if (ideal.cols != lens.width || ideal.rows != lens.height)
-    throw BadInput("the image has " + std::to_string(ideal.cols) + " x " + std::to_string(ideal.rows) +
-                   " pixels, its camera " + std::to_string(lens.width) + " x " + std::to_string(lens.height));
+    throw BadInput(fmt::format("the image has {} x {} pixels, its camera {} x {}", ideal.cols, ideal.rows,
+                               lens.width, lens.height));
   if (map_.empty() || !sameLens(lens, lens_)) {
     lens_ = lens;
     map_.create(ideal.size(), CV_32FC2);
@@ -33,11 +35,11 @@ cv::Mat LensWarp::apply(const cv::Mat& ideal, const Camera& lens) {
 }
 
 CameraImage resized(const CameraImage& input, double factor) {
-  if (!(factor > 0)) throw BadInput("scale = " + std::to_string(factor) + " must be positive");
+  if (!(factor > 0)) throw BadInput(fmt::format("scale = {:g} must be positive", factor));
   CameraImage out;
   out.camera = input.camera.resized(factor);
   if (out.camera.width < 1 || out.camera.height < 1)
-    throw BadInput("scale = " + std::to_string(factor) + " leaves no pixel");
+    throw BadInput(fmt::format("scale = {:g} leaves no pixel", factor));
   cv::resize(input.grey, out.grey, {out.camera.width, out.camera.height}, 0, 0,
              factor > 1 ? cv::INTER_CUBIC : cv::INTER_AREA);
   return out;

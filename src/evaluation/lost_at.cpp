@@ -15,7 +15,7 @@ constexpr double kCoarselyNear = 0.15;
 
 }  // namespace
 
-const char* name(LostAt::Stage stage) {
+std::string toString(LostAt::Stage stage) {
   switch (stage) {
     case LostAt::kNoGrouping:
       return "no grouping of its own";

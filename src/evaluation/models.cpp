@@ -1,5 +1,6 @@
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "evaluation/json_file.h"
 #include "monocular_eye_hand/evaluation/dataset.h"
@@ -57,9 +58,7 @@ BopModels loadBopModels(const std::string& models_dir) {
       throw BadInput(where + ": symmetries cannot be read: " + e.what());
     }
 
-    char file[32];
-    std::snprintf(file, sizeof file, "/obj_%06d.ply", model.id);
-    model.mesh_path = models_dir + file;
+    model.mesh_path = fmt::format("{}/obj_{:06}.ply", models_dir, model.id);
     model.vertices = loadMesh(model.mesh_path, "mm").vertices;
     models[model.id] = std::move(model);
   }

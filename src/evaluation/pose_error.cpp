@@ -47,8 +47,8 @@ std::vector<Rigid3> discretized(const BopSymmetries& symmetries, double step) {
   for (const Rigid3& flip : discrete)
     for (const SymmetryAxis& axis : symmetries.continuous)
       for (int i = 0; i < count; ++i) {
-        const Eigen::Matrix3d turn = expSO3(axis.direction * (i * 2 * M_PI / count));
-        all.push_back(Rigid3{turn, axis.point - turn * axis.point} * flip);
+        const Eigen::Matrix3d rotation = expSO3(axis.direction * (i * 2 * M_PI / count));
+        all.push_back(Rigid3{rotation, axis.point - rotation * axis.point} * flip);
       }
   return all;
 }
@@ -67,9 +67,9 @@ double mspd(const Rigid3& estimate, const Rigid3& truth, const Eigen::Matrix3d& 
 }
 
 double adi(const Rigid3& estimate, const Rigid3& truth, const std::vector<Eigen::Vector3d>& vertices,
-           size_t most) {
+           size_t max_vertices) {
   const Rigid3 truth_from_estimate = truth.inverse() * estimate;
-  const size_t stride = 1 + vertices.size() / std::max<size_t>(most, 1);
+  const size_t stride = 1 + vertices.size() / std::max<size_t>(max_vertices, 1);
   double sum = 0;
   size_t count = 0;
   for (size_t i = 0; i < vertices.size(); i += stride) {

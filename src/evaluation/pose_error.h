@@ -23,7 +23,7 @@ double mspd(const Rigid3& estimate, const Rigid3& truth, const Eigen::Matrix3d& 
 /// Hinterstoisser et al. 2012). Small although mssd() is large: an image hardly tells the two poses apart.
 /// `most`: at most so many vertices are looked at.
 double adi(const Rigid3& estimate, const Rigid3& truth, const std::vector<Eigen::Vector3d>& vertices,
-           size_t most = 300);
+           size_t max_vertices = 300);
 
 /// BOP's ten thresholds of correctness: MSSD as a share of the diameter, MSPD in pixels of a 640 px wide
 /// image.

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/evaluation/results.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -54,15 +56,14 @@ class CsvReader {
       if (line_ == 1 && line.rfind("scene_id", 0) == 0) continue;
       fields_ = split(line);
       if (fields_.size() != field_count_)
-        fail("has " + std::to_string(fields_.size()) + " fields, " + std::to_string(field_count_) +
-             " comma-separated ones expected");
+        fail(fmt::format("has {} fields, {} comma-separated ones expected", fields_.size(), field_count_));
       return true;
     }
     return false;
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw BadInput(path_ + ":" + std::to_string(line_) + ": " + what);
+    throw BadInput(fmt::format("{}:{}: {}", path_, line_, what));
   }
 
   std::vector<double> numbers(size_t field, const char* name, size_t count) const {
@@ -71,8 +72,8 @@ class CsvReader {
     std::vector<double> values;
     for (double value; in >> value;) values.push_back(value);
     if (!in.eof() || values.size() != count)
-      fail(std::string(name) + " = '" + fields_[field] + "': " + std::to_string(count) +
-           (count == 1 ? " number expected" : " numbers expected"));
+      fail(fmt::format("{} = '{}': {}{}", name, fields_[field], count,
+                       count == 1 ? " number expected" : " numbers expected"));
     for (double value : values)
       if (!std::isfinite(value)) fail(std::string(name) + " is not finite");
     return values;
@@ -133,8 +134,9 @@ std::vector<BopResult> readBopResults(const std::string& path) {
     row.time = reader.numbers(6, "time", 1)[0];
     const auto first = times.emplace(std::make_pair(row.scene, row.image), row.time).first;
     if (std::abs(first->second - row.time) > 1e-3)
-      reader.fail("time differs from the other rows of scene " + std::to_string(row.scene) + ", image " +
-                  std::to_string(row.image) + " (it is the time of the whole image)");
+      reader.fail(fmt::format(
+          "time differs from the other rows of scene {}, image {} (it is the time of the whole image)",
+          row.scene, row.image));
     results.push_back(row);
   }
   return results;

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/evaluation/statistics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,8 +12,7 @@ namespace monocular_eye_hand {
 
 Interval wilson95(const Share& share) {
   if (share.part < 0 || share.part > share.whole)
-    throw BadInput("a share of " + std::to_string(share.part) + " of " + std::to_string(share.whole) +
-                   ": 0 <= part <= whole is needed");
+    throw BadInput(fmt::format("a share of {} of {}: 0 <= part <= whole is needed", share.part, share.whole));
   if (share.whole == 0) return {};
   const double z = 1.959964, n = share.whole, p = share.value();
   const double centre = (p + z * z / (2 * n)) / (1 + z * z / n);
@@ -43,7 +44,7 @@ double PairedCounts::chance() const {
 }
 
 std::vector<ReliabilityBin> reliabilityBins(std::vector<Prediction> predictions, int bins) {
-  if (bins < 1) throw BadInput("reliability: bins = " + std::to_string(bins) + " must be at least 1");
+  if (bins < 1) throw BadInput(fmt::format("reliability: bins = {} must be at least 1", bins));
   std::stable_sort(predictions.begin(), predictions.end(),
                    [](const Prediction& a, const Prediction& b) { return a.probability < b.probability; });
   const size_t count = predictions.size(), used = std::min(count, size_t(bins));

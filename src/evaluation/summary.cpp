@@ -1,4 +1,5 @@
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <map>
 
 #include "monocular_eye_hand/evaluation/outcomes.h"
@@ -68,21 +69,16 @@ std::vector<SceneSummary> summarize(const BopSplit& split, const BopModels& mode
 }
 
 std::string summaryLine(const SceneSummary& s) {
-  char text[200];
-  std::snprintf(text, sizeof text, "scene %d: found %.3f (%d/%d) right %.3f (%d/%d) AR %.3f median %.3f s",
-                s.scene, s.foundShare(), s.found, s.wanted, s.rightShare(), s.right, s.rows, s.ar,
-                s.median_time);
-  return text;
+  return fmt::format("scene {}: found {:.3f} ({}/{}) right {:.3f} ({}/{}) AR {:.3f} median {:.3f} s", s.scene,
+                     s.foundShare(), s.found, s.wanted, s.rightShare(), s.right, s.rows, s.ar, s.median_time);
 }
 
 std::string summaryFigure(const std::vector<SceneSummary>& summaries) {
   std::string text = "found/right/AR/time ";
   for (size_t i = 0; i < summaries.size(); ++i) {
     const SceneSummary& s = summaries[i];
-    char part[100];
-    std::snprintf(part, sizeof part, "%s%d: %.2f/%.2f/%.2f/%.2fs", i ? " | " : "", s.scene, s.foundShare(),
-                  s.rightShare(), s.ar, s.median_time);
-    text += part;
+    text += fmt::format("{}{}: {:.2f}/{:.2f}/{:.2f}/{:.2f}s", i ? " | " : "", s.scene, s.foundShare(),
+                        s.rightShare(), s.ar, s.median_time);
   }
   return text;
 }

@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/evaluation/write_dataset.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -25,11 +26,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kLeastVisible = 0.1;  // of an instance that a target asks for (BOP'19)
 
-std::string sixDigits(int number) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%06d", number);
-  return text;
-}
+std::string sixDigits(int number) { return fmt::format("{:06}", number); }
 
 void makeFolder(const fs::path& path) {
   std::error_code error;
@@ -211,8 +208,7 @@ void writeBopModels(const std::string& dataset_dir, const std::vector<BopPart>& 
   std::map<int, Json> infos;
   for (const BopPart& part : parts) {
     if (part.id < 1 || !infos.emplace(part.id, modelInfo(part.model)).second)
-      throw BadInput("object '" + part.model.name + "': the id " + std::to_string(part.id) +
-                     " is taken or below 1");
+      throw BadInput(fmt::format("object '{}': the id {} is taken or below 1", part.model.name, part.id));
     writeOrCompare(folder / ("obj_" + sixDigits(part.id) + ".ply"), plyOf(part.model.mesh));
   }
 

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/execution/executor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,9 +44,9 @@ ActionResult PickPlaceExecutor::refuseBadGoal(const std::string& what) {
 }
 
 ActionResult PickPlaceExecutor::noPlace(int place) {
-  return refuse(ActionOutcome::kUnreachable, "there is no place " + std::to_string(place) +
-                                                 ": the drop zone has " + std::to_string(places_.size()) +
-                                                 ", counted from 0");
+  return refuse(
+      ActionOutcome::kUnreachable,
+      fmt::format("there is no place {}: the drop zone has {}, counted from 0", place, places_.size()));
 }
 
 ActionResult PickPlaceExecutor::result(ActionOutcome outcome, const std::string& reason) const {
@@ -78,8 +80,8 @@ JointVector PickPlaceExecutor::start() const {
     const JointLimit& limit = arm_.arm.options().joints[size_t(i)];
     const double inside = std::clamp(joints[i], limit.lower, limit.upper);
     if (std::abs(inside - joints[i]) > kLimitSlack)
-      throw BadInput("joint" + std::to_string(i + 1) + " stands at " + std::to_string(joints[i]) +
-                     " rad, outside its limits: move it back by hand");
+      throw BadInput(fmt::format("joint{} stands at {:.3f} rad, outside its limits: move it back by hand",
+                                 i + 1, joints[i]));
     joints[i] = inside;
   }
   return joints;

@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/execution/held_part.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace monocular_eye_hand {
 namespace {
@@ -26,11 +27,8 @@ PlacedObject HeldPart::inHand(const Rigid3& base_from_tcp) const {
 std::string HeldPart::lost(const GripperReading& gripper, double tolerance) const {
   const double off = std::abs(gripper.width - width);
   if (gripper.stalled && off <= tolerance) return "";
-  std::ostringstream text;
-  text.precision(3);
-  text << "the gripper lost " << object.label() << ": it stands at " << gripper.width * 1e3
-       << " mm and held it at " << width * 1e3 << " mm";
-  return text.str();
+  return fmt::format("the gripper lost {}: it stands at {:.3g} mm and held it at {:.3g} mm", object.label(),
+                     gripper.width * 1e3, width * 1e3);
 }
 
 HeldPart holdPart(const PlacedObject& object, const PickTarget& target, double width) {

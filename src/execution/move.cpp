@@ -32,7 +32,7 @@ ActionResult PickPlaceExecutor::move(const MoveOrder& order, const ActionMonitor
   const MovePlan& plan = planned.plan;
   ActionResult ended = plan.planned()
                            ? driveMove(plan, order.open_gripper ? planned.opening : -1, monitor)
-                           : result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+                           : result(outcomeOf(plan.outcome), toString(plan.outcome) + ": " + plan.reason);
   if (plan.outcome == MoveOutcome::kStartInCollision) ended.reason += "; " + texts_.recover_hint;
   ended.planning_time = planning_time;
   if (ended.done()) ended.reached = plan.goal;

@@ -1,47 +1,44 @@
 #include "monocular_eye_hand/execution/options.h"
 
-#include <cmath>
-#include <sstream>
+#include <fmt/format.h>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include <cmath>
+
 #include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-void requireFinite(const char* field, double value) {
-  require(std::isfinite(value) && std::abs(value) < 100, field, value, "within +-100");
+void requireWithin100(const char* field, double value) {
+  require(std::abs(value) < 100, field, value, "within +-100");
 }
-void requireShare(const char* field, double value, double most) {
-  if (value >= 0 && value <= most) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be 0 to " << most;
-  throw BadInput(text.str());
+void requireUpTo(const char* field, double value, double limit) {
+  require(value >= 0 && value <= limit, field, value, fmt::format("0 to {:g}", limit));
 }
 
 }  // namespace
 
 void WorkTable::check() const {
-  requireFinite("x", x);
-  requireFinite("y", y);
-  requireFinite("z", z);
-  requireFinite("yaw", yaw);
+  requireWithin100("x", x);
+  requireWithin100("y", y);
+  requireWithin100("z", z);
+  requireWithin100("yaw", yaw);
   requirePositive("length", length);
   requirePositive("width", width);
   requirePositive("thickness", thickness);
 }
 
 void DropPlace::check() const {
-  requireFinite("x", x);
-  requireFinite("y", y);
-  requireFinite("yaw", yaw);
+  requireWithin100("x", x);
+  requireWithin100("y", y);
+  requireWithin100("yaw", yaw);
 }
 
 void DropZone::check() const {
-  requireFinite("x", x);
-  requireFinite("y", y);
-  requireFinite("yaw", yaw);
-  requireFinite("part_yaw", part_yaw);
+  requireWithin100("x", x);
+  requireWithin100("y", y);
+  requireWithin100("yaw", yaw);
+  requireWithin100("part_yaw", part_yaw);
   requirePositive("length", length);
   requirePositive("width", width);
   require(columns >= 1 && columns <= 100, "columns", columns, "1 to 100");
@@ -88,7 +85,7 @@ void ExecutionOptions::check() const {
 void ExecutorOptions::check() const {
   requireGiven("objects", objects, "the path of the model base, e.g. config/objects.yaml of this package");
   requireGiven("urdf", urdf, "the path of the arm's URDF, e.g. urdf/puma560.urdf of this package");
-  requireShare("drop_gap", drop_gap, 0.05);
+  requireUpTo("drop_gap", drop_gap, 0.05);
   requirePositive("drop_above", drop_above);
   require(drop_above > drop_gap, "drop_above", drop_above, "more than drop_gap");
   requirePositive("feedback_period", feedback_period);

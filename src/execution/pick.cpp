@@ -1,6 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "execution/drop_zone.h"
 #include "execution/stopwatch.h"
@@ -18,11 +19,8 @@ std::vector<Trajectory> trajectoriesOf(const Departure& departure, const PickPla
 }
 
 std::string otherWidth(const GripperReading& gripper, const PlacedObject& object, double part_width) {
-  std::ostringstream text;
-  text.precision(3);
-  text << "the gripper closed to " << gripper.width * 1e3 << " mm" << (gripper.stalled ? " (stalled)" : "")
-       << " and " << object.label() << " is " << part_width * 1e3 << " mm wide there";
-  return text.str();
+  return fmt::format("the gripper closed to {:.3g} mm{} and {} is {:.3g} mm wide there", gripper.width * 1e3,
+                     gripper.stalled ? " (stalled)" : "", object.label(), part_width * 1e3);
 }
 
 }  // namespace
@@ -118,7 +116,7 @@ ActionResult PickPlaceExecutor::drivePick(const PlacedObject& object, const Plan
                                           const ActionMonitor& monitor) {
   const PickPlan& plan = planned.kept.plan;
   if (!planned.refused.empty()) return result(ActionOutcome::kInCollision, planned.refused);
-  if (!plan.planned()) return result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  if (!plan.planned()) return result(outcomeOf(plan.outcome), toString(plan.outcome) + ": " + plan.reason);
 
   monitor.show(trajectoriesOf(planned.departure, plan));
   if (monitor.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");

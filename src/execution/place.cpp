@@ -83,7 +83,7 @@ PickPlan PickPlaceExecutor::planThePlace(int place, const JointVector& joints, b
 }
 
 ActionResult PickPlaceExecutor::drivePlace(int place, const PickPlan& plan, const ActionMonitor& monitor) {
-  if (!plan.planned()) return result(outcomeOf(plan.outcome), name(plan.outcome) + ": " + plan.reason);
+  if (!plan.planned()) return result(outcomeOf(plan.outcome), toString(plan.outcome) + ": " + plan.reason);
   monitor.show(plan.trajectories());
   if (monitor.cancelled()) return result(ActionOutcome::kCancelled, "cancelled before anything moved");
   MotionResult moved = carry(plan, monitor);

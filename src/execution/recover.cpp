@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 // The way out: after a crash with a part in the hand, a gripper that is not empty, a start in collision.
 #include <cmath>
 
@@ -7,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-std::string millimetres(double metres) { return std::to_string(std::lround(1e3 * metres)) + " mm"; }
+std::string millimetres(double metres) { return fmt::format("{} mm", std::lround(1e3 * metres)); }
 
 }  // namespace
 
@@ -84,10 +86,10 @@ ActionResult PickPlaceExecutor::putDownSomewhere(const ActionMonitor& monitor, s
   for (size_t place = 0; place < places_.size(); ++place) {
     const PickPlan plan = planThePlace(int(place), joints, false);
     if (!plan.planned()) {
-      last = "place " + std::to_string(place) + ", " + name(plan.outcome) + ": " + plan.reason;
+      last = fmt::format("place {}, {}: {}", place, toString(plan.outcome), plan.reason);
       continue;
     }
-    *said += "put down " + label + " at place " + std::to_string(place) + "; ";
+    *said += fmt::format("put down {} at place {}; ", label, place);
     return drivePlace(int(place), plan, monitor);
   }
   return result(ActionOutcome::kUnreachable,

@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/execution/robot_motion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/length_text.h"
@@ -18,10 +19,7 @@ constexpr double kLater = 1e-6;      // a state so much younger than another one
 std::string silence(const std::string& source, bool told, double since, double longest) {
   if (!told) return "no " + source + " yet: does the driver of the arm run?";
   if (since <= longest) return "";
-  std::ostringstream text;
-  text.precision(3);
-  text << source << " is silent for " << since << " s";
-  return text.str();
+  return fmt::format("{} is silent for {:.3g} s", source, since);
 }
 
 /// Now, by the latest of three witnesses: they come by ways of their own, the clock may be last.

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/execution/scene_memory.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -10,7 +12,7 @@ namespace monocular_eye_hand {
 namespace {
 
 std::string placeLabel(const PlacedObject& object, int place) {
-  return object.name + " at place " + std::to_string(place);
+  return fmt::format("{} at place {}", object.name, place);
 }
 
 CollisionWorld fixedWorld(const ArmDescription& arm, const ExecutorOptions& options) {

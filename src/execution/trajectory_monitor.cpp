@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/execution/trajectory_monitor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace monocular_eye_hand {
 namespace {
@@ -16,7 +17,7 @@ double apart(const JointVector& a, const JointVector& b) { return (a - b).cwiseA
 std::string farthest(const JointVector& a, const JointVector& b) {
   int joint = 0;
   (a - b).cwiseAbs().maxCoeff(&joint);
-  return "joint" + std::to_string(joint + 1);
+  return fmt::format("joint{}", joint + 1);
 }
 
 }  // namespace
@@ -51,13 +52,10 @@ void TrajectoryMonitor::advance(double stamp, const JointVector& joints) {
 TrajectoryMonitor::State TrajectoryMonitor::update(double stamp, const JointVector& joints, double speed) {
   if (state_ != State::kMoving || stamp < start_) return state_;
   advance(stamp, joints);
-  std::ostringstream text;
-  text.precision(3);
   const JointVector meant = trajectory_.sample(at_).position;
   if (const double off = apart(meant, joints); off > options_.deviation) {
-    text << farthest(meant, joints) << " is " << off << " rad off the planned path (" << options_.deviation
-         << " allowed)";
-    return fail(text.str());
+    return fail(fmt::format("{} is {:.3g} rad off the planned path ({:.3g} allowed)", farthest(meant, joints),
+                            off, options_.deviation));
   }
 
   const double duration = trajectory_.duration(), since = stamp - start_;
@@ -67,13 +65,14 @@ TrajectoryMonitor::State TrajectoryMonitor::update(double stamp, const JointVect
     return state_ = State::kArrived;
 
   if (since - at_ > options_.lag && at_ < duration) {
-    text << "the arm is " << since - at_ << " s behind the plan (" << options_.lag << " allowed)";
-    return fail(text.str());
+    return fail(
+        fmt::format("the arm is {:.3g} s behind the plan ({:.3g} allowed)", since - at_, options_.lag));
   }
   if (since > duration + options_.settle) {
-    text << "the arm did not come to rest at its goal: " << farthest(goal, joints) << " is " << rest
-         << " rad off, " << speed << " rad/s fast, " << since - duration << " s after its time";
-    return fail(text.str());
+    return fail(fmt::format(
+        "the arm did not come to rest at its goal: {} is {:.3g} rad off, {:.3g} rad/s fast, {:.3g} s after "
+        "its time",
+        farthest(goal, joints), rest, speed, since - duration));
   }
   return state_;
 }

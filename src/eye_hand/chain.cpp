@@ -1,21 +1,16 @@
 #include "monocular_eye_hand/eye_hand/chain.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-void requireSigma(const std::string& field, double value) {
-  if (std::isfinite(value) && value >= 0) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be finite and not negative";
-  throw BadInput(text.str());
-}
 
 Matrix6d diagonal(double position_sigma, double rotation_sigma) {
   Vector6d variance;
@@ -27,14 +22,14 @@ Matrix6d diagonal(double position_sigma, double rotation_sigma) {
 }  // namespace
 
 void ArmErrorOptions::check() const {
-  requireSigma("position_sigma", position_sigma);
+  requireNotNegative("position_sigma", position_sigma);
   for (size_t k = 0; k < joint_sigma.size(); ++k)
-    requireSigma("joint_sigma[" + std::to_string(k) + "]", joint_sigma[k]);
+    requireNotNegative(fmt::format("joint_sigma[{}]", k), joint_sigma[k]);
 }
 
 void HandEyeErrorOptions::check() const {
-  requireSigma("position_sigma", position_sigma);
-  requireSigma("rotation_sigma", rotation_sigma);
+  requireNotNegative("position_sigma", position_sigma);
+  requireNotNegative("rotation_sigma", rotation_sigma);
 }
 
 void requirePose(const Rigid3& pose, const char* what) {
@@ -67,10 +62,10 @@ Chain chain(const Rigid3& base_from_tool0, const Rigid3& tool0_from_camera,
   Chain result;
   result.base_from_object = base_from_camera * camera_from_object;
   const Eigen::Vector3d& object = result.base_from_object.translation;
-  result.image = motionInAxes(base_from_camera.rotation);
-  result.hand_eye =
-      motionAtOffset(object - base_from_camera.translation) * motionInAxes(base_from_tool0.rotation);
-  result.arm = motionAtOffset(object - base_from_tool0.translation);
+  result.image = adjointOfRotation(base_from_camera.rotation);
+  result.hand_eye = adjointOfTranslation(object - base_from_camera.translation) *
+                    adjointOfRotation(base_from_tool0.rotation);
+  result.arm = adjointOfTranslation(object - base_from_tool0.translation);
   return result;
 }
 
@@ -83,8 +78,8 @@ PoseInBase poseInBase(const HandPose& hand, const HandEye& hand_eye, const Rigid
   requireCovariance(covariance, "covariance of camera_from_object");
   requireCovariance(hand_eye.covariance, "covariance of tool0_from_camera");
   const Chain c = chain(hand.base_from_tool0, hand_eye.tool0_from_camera, camera_from_object);
-  return {c.base_from_object, carried(c.image, covariance), carried(c.hand_eye, hand_eye.covariance),
-          carried(c.arm, armCovariance(hand, arm))};
+  return {c.base_from_object, propagate(c.image, covariance), propagate(c.hand_eye, hand_eye.covariance),
+          propagate(c.arm, armCovariance(hand, arm))};
 }
 
 }  // namespace monocular_eye_hand

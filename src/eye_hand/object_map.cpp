@@ -1,9 +1,10 @@
 #include "monocular_eye_hand/eye_hand/object_map.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 #include "eye_hand/expected.h"
@@ -17,7 +18,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-std::string label(const MappedObject& object) { return object.name + " " + std::to_string(object.number); }
+std::string label(const MappedObject& object) { return fmt::format("{} {}", object.name, object.number); }
 
 void checkView(const ObjectView& view, const ModelBase& models) {
   if (!std::isfinite(view.stamp)) throw BadInput("the view's stamp is not finite");
@@ -28,14 +29,14 @@ void checkView(const ObjectView& view, const ModelBase& models) {
   requireCovariance(view.hand_eye.covariance, "covariance of tool0_from_camera");
   for (const SeenObject& seen : view.objects) {
     if (seen.object < 0 || seen.object >= int(models.objects.size()))
-      throw BadInput("object " + std::to_string(seen.object) + " is not in the model base (" +
-                     models.names() + "); recognition and eye-hand must load the same one");
+      throw BadInput(fmt::format(
+          "object {} is not in the model base ({}); recognition and eye-hand must load the same one",
+          seen.object, models.names()));
     const std::string& name = models.objects[size_t(seen.object)].model.name;
     requirePose(seen.camera_from_object, ("camera_from_object of " + name).c_str());
     requireCovariance(seen.covariance, ("covariance of " + name).c_str());
     if (!(seen.probability >= 0 && seen.probability <= 1))
-      throw BadInput("probability of " + name + " = " + std::to_string(seen.probability) +
-                     " must be between 0 and 1");
+      throw BadInput(fmt::format("probability of {} = {:g} must be between 0 and 1", name, seen.probability));
   }
 }
 
@@ -69,10 +70,8 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   std::vector<size_t> source;
   for (size_t i = 0; i < view.objects.size(); ++i) {
     if (view.objects[i].probability < options_.min_probability) {
-      std::ostringstream text;
-      text << "probability " << view.objects[i].probability << " is below min_probability "
-           << options_.min_probability;
-      report.decisions[i].reason = text.str();
+      report.decisions[i].reason = fmt::format("probability {:g} is below min_probability {:g}",
+                                               view.objects[i].probability, options_.min_probability);
       continue;
     }
     const Observation seen = observationOf(view, view.objects[i]);
@@ -118,9 +117,9 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   for (ViewDecision& decision : report.decisions)
     for (const Track& track : tracks_)
       if (track.key() == Key(decision.object, decision.number) && track.suppressed_by)
-        decision.reason += "; not told, since " +
-                           models_->objects[size_t(track.suppressed_by->first)].model.name + " " +
-                           std::to_string(track.suppressed_by->second) + " is there";
+        decision.reason += fmt::format("; not told, since {} {} is there",
+                                       models_->objects[size_t(track.suppressed_by->first)].model.name,
+                                       track.suppressed_by->second);
   return report;
 }
 
@@ -136,9 +135,9 @@ ObjectMap::Observation ObjectMap::observationOf(const ObjectView& view, const Se
   s.probability = seen.probability;
   s.base_from_object = c.base_from_object;
   s.base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
-  s.image = carried(c.image, seen.covariance);
+  s.image = propagate(c.image, seen.covariance);
   addFloor(&s.image);
-  s.image = heldCovariance(model(s.object), s.base_from_object, s.image);
+  s.image = conditionedOnFreeAxis(model(s.object), s.base_from_object, s.image);
   s.hand_eye = c.hand_eye;
   s.joints = c.arm * view.hand.jacobian;
   return s;
@@ -150,8 +149,8 @@ ObjectMap::Observation ObjectMap::equalObservation(const Observation& observatio
   equal.base_from_object = nearestEqualPose(model(observation.object), observation.base_from_object, wanted);
   // A symmetry may move the object frame's origin, about which the rotations are taken.
   const Matrix6d moved =
-      motionAtOffset(equal.base_from_object.translation - observation.base_from_object.translation);
-  equal.image = carried(moved, observation.image);
+      adjointOfTranslation(equal.base_from_object.translation - observation.base_from_object.translation);
+  equal.image = propagate(moved, observation.image);
   equal.hand_eye = moved * observation.hand_eye;
   equal.joints = moved * observation.joints;
   return equal;
@@ -167,10 +166,10 @@ double ObjectMap::chiSquare(const Observation& a, const Observation& b) const {
   const Vector6d gap = difference(a.base_from_object, equal.base_from_object);
   // Common errors cancel as far as both views see them alike.
   const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
-  Matrix6d spread = a.image + equal.image + carried(a.hand_eye - equal.hand_eye, hand_eye_covariance_) +
-                    carried(a.joints - equal.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
+  Matrix6d spread = a.image + equal.image + propagate(a.hand_eye - equal.hand_eye, hand_eye_covariance_) +
+                    propagate(a.joints - equal.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
   spread.diagonal().head<3>().array() += 2 * options_.arm.position_sigma * options_.arm.position_sigma;
-  spread = freedCovariance(model(a.object), a.base_from_object, spread);
+  spread = withFreeAxisVariance(model(a.object), a.base_from_object, spread);
   return gap.dot(spread.ldlt().solve(gap));
 }
 
@@ -246,9 +245,8 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
   decision.object = seen.object;
   decision.number = track->object.number;
   decision.chi_square = chi_square;
-  std::ostringstream text;
-  text << "chi-square " << chi_square << " against " << label(track->object) << " is above the gate of "
-       << options_.gate;
+  const std::string text = fmt::format("chi-square {:g} against {} is above the gate of {:g}", chi_square,
+                                       label(track->object), options_.gate);
 
   const auto disagrees = [&](const Observation& other) { return !(chiSquare(other, seen) <= options_.gate); };
   if (std::any_of(track->outliers.begin(), track->outliers.end(), disagrees)) track->outliers.clear();
@@ -259,7 +257,7 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
 
   if (int(track->outliers.size()) < options_.outliers_to_restart) {
     decision.outcome = ViewOutcome::kOutlier;
-    decision.reason = text.str();
+    decision.reason = text;
     return decision;
   }
 
@@ -267,7 +265,7 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
   *track = newTrack(seen, stamp);
   track->object.number = number;
   decision.outcome = ViewOutcome::kRestarted;
-  decision.reason = text.str() + "; so many views in a row agree on another pose: it was moved";
+  decision.reason = text + "; so many views in a row agree on another pose: it was moved";
   return decision;
 }
 
@@ -288,14 +286,15 @@ void ObjectMap::merge(Track* track, const Observation& seen) const {
   const ObjectModel& shape = model(seen.object);
   Observation& merged = track->merged;
   // Free angles agree by choice of the equal pose; freed, they keep the sum invertible.
-  const Matrix6d known = freedCovariance(shape, merged.base_from_object, merged.image);
-  const Matrix6d sum = known + freedCovariance(shape, seen.base_from_object, seen.image);
+  const Matrix6d known = withFreeAxisVariance(shape, merged.base_from_object, merged.image);
+  const Matrix6d sum = known + withFreeAxisVariance(shape, seen.base_from_object, seen.image);
   const Matrix6d gain = sum.ldlt().solve(known).transpose();
   const Matrix6d rest = Matrix6d::Identity() - gain;
   Rigid3& pose = merged.base_from_object;
   pose = perturbed(pose, gain * difference(pose, seen.base_from_object));
   pose.rotation = nearestRotation(pose.rotation);
-  merged.image = heldCovariance(shape, pose, carried(rest, merged.image) + carried(gain, seen.image));
+  merged.image =
+      conditionedOnFreeAxis(shape, pose, propagate(rest, merged.image) + propagate(gain, seen.image));
   merged.hand_eye = rest * merged.hand_eye + gain * seen.hand_eye;
   merged.joints = rest * merged.joints + gain * seen.joints;
   track->base_from_cameras.push_back(seen.base_from_camera);
@@ -304,8 +303,8 @@ void ObjectMap::merge(Track* track, const Observation& seen) const {
 
 Matrix6d ObjectMap::totalCovariance(const Observation& seen) const {
   const Vector6d sigma = Eigen::Map<const Vector6d>(options_.arm.joint_sigma.data());
-  Matrix6d total = seen.image + carried(seen.hand_eye, hand_eye_covariance_) +
-                   carried(seen.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
+  Matrix6d total = seen.image + propagate(seen.hand_eye, hand_eye_covariance_) +
+                   propagate(seen.joints, Matrix6d(sigma.cwiseAbs2().asDiagonal()));
   total.diagonal().head<3>().array() += options_.arm.position_sigma * options_.arm.position_sigma;
   return total;
 }
@@ -323,8 +322,8 @@ void ObjectMap::publish(Track* track) const {
   addFloor(&total);  // what CAD and part differ by is the same in every view
   object.base_from_object = merged.base_from_object;
   object.probability = merged.probability;
-  object.covariance = freedCovariance(shape, object.base_from_object, total);
-  object.image_covariance = freedCovariance(shape, object.base_from_object, merged.image);
+  object.covariance = withFreeAxisVariance(shape, object.base_from_object, total);
+  object.image_covariance = withFreeAxisVariance(shape, object.base_from_object, merged.image);
   object.outliers = int(track->outliers.size());
 }
 

@@ -2,7 +2,7 @@
 
 namespace monocular_eye_hand {
 
-const char* name(ViewOutcome outcome) {
+std::string toString(ViewOutcome outcome) {
   switch (outcome) {
     case ViewOutcome::kNew:
       return "new";
@@ -27,7 +27,7 @@ std::string textOf(const ViewReport& report, const ModelBase& models) {
   for (const ViewDecision& decision : report.decisions) {
     begin(models.objects.at(size_t(decision.object)).model.name);
     if (decision.number >= 0) text += " " + std::to_string(decision.number);
-    text += std::string(" ") + name(decision.outcome) + ": " + decision.reason;
+    text += " " + toString(decision.outcome) + ": " + decision.reason;
   }
 
   for (const MappedObject& gone : report.forgotten) {

@@ -9,9 +9,9 @@ namespace {
 constexpr double kAngleCell = 4 * M_PI / 180, kOffsetCell = 6;  // rad, px
 constexpr double kFar = 1e18;                                   // px: beyond every place
 constexpr int kNeighbours = 6;  // candidates looked at on each side of a segment along its line
-constexpr int kTurns = int(M_PI / kAngleCell + 0.5);
+constexpr int kAngleCells = int(M_PI / kAngleCell + 0.5);
 
-int angleCell(double angle) { return std::min(kTurns - 1, int(angle / kAngleCell)); }
+int angleCell(double angle) { return std::min(kAngleCells - 1, int(angle / kAngleCell)); }
 int offsetCell(double offset) { return int(std::floor(offset / kOffsetCell)); }
 int64_t cellOf(int angle_cell, int offset_cell) { return angle_cell * (int64_t(1) << 32) + offset_cell; }
 
@@ -31,10 +31,10 @@ bool collinear(const Stretch& a, const Stretch& b, const FeatureOptions& options
   const double cross = std::fabs(d.x() * shorter.direction.y() - d.y() * shorter.direction.x());
   if (!(cross < std::max(0.05, std::min(0.2, 4 * shorter.sigma_angle)))) return false;
 
-  const double most_aside = options.split_tolerance + 0.5;
+  const double max_aside = options.split_tolerance + 0.5;
   for (const Eigen::Vector2d& end : {shorter.p, shorter.q}) {
     const double along = d.dot(end - m), aside = std::fabs(n.dot(end - m));
-    if (aside > most_aside) return false;
+    if (aside > max_aside) return false;
     const double sigma =
         std::sqrt(longer.sigma_offset * longer.sigma_offset + std::pow(longer.sigma_angle * along, 2) +
                   shorter.sigma_offset * shorter.sigma_offset +
@@ -81,7 +81,7 @@ const std::vector<CollinearPairs::Pair>& CollinearPairs::find(const std::vector<
   return pairs_;
 }
 
-// The first entry of a cell or of those behind it. From entry to entry the cells of one turn only grow, and
+// The first entry of a cell or of those behind it. From entry to entry the cells of one angle only grow, and
 // the next place is near; where the direction flips they do not.
 CollinearPairs::Place CollinearPairs::firstOf(int64_t cell, bool flipped, Place* place) const {
   if (flipped) return std::lower_bound(entries_.cbegin(), entries_.cend(), Entry{cell, -kFar, -1});
@@ -94,9 +94,9 @@ void CollinearPairs::lookAround(int i) {
   const Line& l = lines_[i];
   for (int da = -1; da <= 1; ++da) {
     const int a = angleCell(l.angle) + da;
-    const bool flipped = a < 0 || a >= kTurns;  // past 0 or pi the direction and the offset change sign
+    const bool flipped = a < 0 || a >= kAngleCells;  // past 0 or pi the direction and the offset change sign
     const double sign = flipped ? -1 : 1;
-    const int64_t middle = cellOf((a + kTurns) % kTurns, offsetCell(sign * l.offset));
+    const int64_t middle = cellOf((a + kAngleCells) % kAngleCells, offsetCell(sign * l.offset));
     // Cells that differ by one in the offset lie one after the other.
     Place from = firstOf(middle - 1, flipped, &places_[da + 1]);
     while (from != entries_.cend() && from->cell <= middle + 1) {

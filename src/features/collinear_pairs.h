@@ -63,7 +63,7 @@ class CollinearPairs {
   std::vector<Stretch> stretches_;  // per segment
   std::vector<Line> lines_;         // per segment
   std::vector<Entry> entries_;      // sorted
-  Place places_[3];                 // where the search for a turn of -1, 0, 1 cells has come to
+  Place places_[3];                 // where the search for an angle of -1, 0, 1 cells has come to
   std::vector<Pair> pairs_;
 };
 

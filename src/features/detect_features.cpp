@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -18,9 +20,9 @@ void checkImage(const cv::Mat& grey, const Camera& camera) {
     throw BadInput("features: the image is of type " + cv::typeToString(grey.type()) +
                    ", an 8-bit grey image (CV_8UC1) is needed: convert it first");
   if (grey.cols != camera.width || grey.rows != camera.height)
-    throw BadInput("features: the image is " + std::to_string(grey.cols) + " x " + std::to_string(grey.rows) +
-                   " px, its camera says " + std::to_string(camera.width) + " x " +
-                   std::to_string(camera.height) + ": use the calibration of this resolution");
+    throw BadInput(fmt::format(
+        "features: the image is {} x {} px, its camera says {} x {}: use the calibration of this resolution",
+        grey.cols, grey.rows, camera.width, camera.height));
 }
 
 // Points that belong to an ellipse are not split into straight pieces.

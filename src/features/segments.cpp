@@ -20,8 +20,8 @@ struct Piece {
 void fitPiece(const std::vector<EdgePoint>& points, const LineSums& sums, Piece* piece) {
   const int count = piece->end - piece->begin;
   const auto trim = [&](const EdgePoint& end, bool corner) {
-    const int most = count / 4;
-    return std::min(most, corner ? int(std::lround(kCornerTrim * end.blur)) : 1);
+    const int max_trim = count / 4;
+    return std::min(max_trim, corner ? int(std::lround(kCornerTrim * end.blur)) : 1);
   };
   const int head = trim(points[piece->begin], piece->corner_before);
   const int tail = trim(points[piece->end - 1], piece->corner_after);

@@ -1,10 +1,11 @@
 #include "monocular_eye_hand/geometry/camera.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
 
@@ -91,10 +92,10 @@ void refuseThinPrism(const std::string& name, LensName lens, const double* coeff
   if (lens == LensName::kEquidistant || (lens != LensName::kThinPrism && !any(kFirstPrism))) return;
   const std::string terms = any(kFirstTilt) ? "thin prism and tilt terms" : "thin prism terms";
   throw BadInput(
-      "camera: the distortion " + (name.empty() ? "" : "'" + name.substr(0, 40) + "' ") + "of " +
-      std::to_string(count) + " coefficients has " + terms +
-      " (OpenCV's s1 to s4, tx, ty), which are not supported: calibrate without "
-      "CALIB_THIN_PRISM_MODEL and CALIB_TILTED_MODEL, or rectify the image first and use image_rect");
+      fmt::format("camera: the distortion {}of {} coefficients has {} (OpenCV's s1 to s4, tx, ty), which are "
+                  "not supported: calibrate without CALIB_THIN_PRISM_MODEL and CALIB_TILTED_MODEL, or "
+                  "rectify the image first and use image_rect",
+                  name.empty() ? "" : "'" + name.substr(0, 40) + "' ", count, terms));
 }
 
 constexpr double kWidestAngle = 1.52;  // off the axis of an equidistant lens, 87 degrees [rad]
@@ -161,9 +162,7 @@ double foldAlong(const Camera& camera, const Eigen::Vector2d& direction, double 
 }
 
 [[noreturn]] void refuse(const std::string& field, double value, const std::string& rule) {
-  std::ostringstream text;
-  text << "camera: " << field << " = " << value << " " << rule;
-  throw BadInput(text.str());
+  throw BadInput(fmt::format("camera: {} = {:g} {}", field, value, rule));
 }
 
 /// A fit of too few points near the corners may give a lens that shows two directions in one pixel.
@@ -177,12 +176,11 @@ void refuseFold(const Camera& c) {
     const double reach = border.norm(), fold = reach > 0 ? foldAlong(c, border / reach, reach) : reach;
     if (fold >= reach) continue;
     const double to_pixels = 0.5 * (c.fx + c.fy);
-    throw BadInput("camera: the lens model folds over inside the image, " +
-                   std::to_string(std::lround(fold * to_pixels)) +
-                   " px from its middle, where the border is " +
-                   std::to_string(std::lround(reach * to_pixels)) +
-                   " px away: one pixel would show two directions. Calibrate again with the board up to the "
-                   "corners, or with fewer coefficients");
+    throw BadInput(
+        fmt::format("camera: the lens model folds over inside the image, {} px from its middle, where the "
+                    "border is {} px away: one pixel would show two directions. Calibrate again with the "
+                    "board up to the corners, or with fewer coefficients",
+                    std::lround(fold * to_pixels), std::lround(reach * to_pixels)));
   }
 }
 
@@ -259,9 +257,8 @@ Camera Camera::seenThrough(const PixelWindow& window) const {
     return begin >= 0 && bin >= 1 && length >= bin && length <= whole && begin <= whole - length;
   };
   if (!inside(w.x, w.width, w.bin_x, width) || !inside(w.y, w.height, w.bin_y, height))
-    throw BadInput("the region of interest (" + std::to_string(w.width) + "x" + std::to_string(w.height) +
-                   " at " + std::to_string(w.x) + ", " + std::to_string(w.y) + ") leaves the camera's " +
-                   std::to_string(width) + "x" + std::to_string(height) + " image");
+    throw BadInput(fmt::format("the region of interest ({}x{} at {}, {}) leaves the camera's {}x{} image",
+                               w.width, w.height, w.x, w.y, width, height));
 
   Camera c = *this;
   c.width = w.width / w.bin_x;
@@ -285,8 +282,9 @@ void Camera::check() const {
     if (value == 0) refuse(field, value, "means uncalibrated: calibrate the camera (camera_calibration)");
     if (value < width / 5.0)
       refuse(field, value,
-             "px is implausible, below a fifth of the image width (" + std::to_string(width) +
-                 " px): check the calibration and its image size");
+             fmt::format("px is implausible, below a fifth of the image width ({} px): check the calibration "
+                         "and its image size",
+                         width));
   }
   if (!(cx > 0 && cx < width)) refuse("cx", cx, "px lies outside the image: check the calibration");
   if (!(cy > 0 && cy < height)) refuse("cy", cy, "px lies outside the image: check the calibration");
@@ -312,8 +310,8 @@ void setDistortion(Camera* camera, const std::string& name, const double* coeffi
                    "image_rect.");
   if (lens == LensName::kEquidistant) {
     if (count != 4 && !(count > 4 && areZero(coefficients + 4, coefficients + count)))
-      throw BadInput("camera: equidistant has 4 distortion coefficients (k1 to k4), got " +
-                     std::to_string(count));
+      throw BadInput(
+          fmt::format("camera: equidistant has 4 distortion coefficients (k1 to k4), got {}", count));
     camera->model = DistortionModel::kEquidistant;
     std::copy(coefficients, coefficients + 4, camera->d.begin());
     return;
@@ -324,9 +322,10 @@ void setDistortion(Camera* camera, const std::string& name, const double* coeffi
   const bool rational = lens == LensName::kRational || (lens == LensName::kUnnamed && count > 5);
   const size_t used = rational ? 8 : 5;
   if (count > used && !areZero(coefficients + used, coefficients + count))
-    throw BadInput("camera: plumb_bob has at most 5 distortion coefficients, got " + std::to_string(count) +
-                   " that are not zero: if they are k1, k2, p1, p2, k3 to k6, name the model "
-                   "rational_polynomial");
+    throw BadInput(
+        fmt::format("camera: plumb_bob has at most 5 distortion coefficients, got {} that are not zero: if "
+                    "they are k1, k2, p1, p2, k3 to k6, name the model rational_polynomial",
+                    count));
   camera->model = rational ? DistortionModel::kRationalPolynomial : DistortionModel::kPlumbBob;
   std::copy(coefficients, coefficients + std::min(count, used), camera->d.begin());
 }

@@ -7,20 +7,20 @@
 
 namespace monocular_eye_hand {
 
-Matrix6d motionAtOffset(const Eigen::Vector3d& offset) {
+Matrix6d adjointOfTranslation(const Eigen::Vector3d& offset) {
   Matrix6d motion = Matrix6d::Identity();
   motion.topRightCorner<3, 3>() = -skew(offset);
   return motion;
 }
 
-Matrix6d motionInAxes(const Eigen::Matrix3d& rotation) {
+Matrix6d adjointOfRotation(const Eigen::Matrix3d& rotation) {
   Matrix6d motion = Matrix6d::Zero();
   motion.topLeftCorner<3, 3>() = rotation;
   motion.bottomRightCorner<3, 3>() = rotation;
   return motion;
 }
 
-Matrix6d carried(const Matrix6d& motion, const Matrix6d& covariance) {
+Matrix6d propagate(const Matrix6d& motion, const Matrix6d& covariance) {
   const Matrix6d product = motion * covariance * motion.transpose();
   return 0.5 * (product + product.transpose());
 }

@@ -1,13 +1,9 @@
 #include "monocular_eye_hand/geometry/length_text.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace monocular_eye_hand {
 
-std::string millimetresText(double metres) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f mm", 1e3 * metres);
-  return text;
-}
+std::string millimetresText(double metres) { return fmt::format("{:.1f} mm", 1e3 * metres); }
 
 }  // namespace monocular_eye_hand

@@ -1,21 +1,28 @@
 #include "monocular_eye_hand/geometry/require.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
 
 void require(bool holds, const std::string& field, double value, const std::string& rule) {
-  if (holds) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be " << rule;
-  throw BadInput(text.str());
+  if (holds && std::isfinite(value)) return;
+  throw BadInput(fmt::format("{} = {:g} must be {}", field, value, rule));
 }
 
-void requirePositive(const std::string& field, double value) {
-  require(std::isfinite(value) && value > 0, field, value, "positive");
+void requireFinite(const std::string& field, double value) { require(true, field, value, "finite"); }
+
+void requirePositive(const std::string& field, double value) { require(value > 0, field, value, "positive"); }
+
+void requireNotNegative(const std::string& field, double value) {
+  require(value >= 0, field, value, "0 or more");
+}
+
+void requireShare(const std::string& field, double value) {
+  require(value >= 0 && value <= 1, field, value, "between 0 and 1");
 }
 
 void requireGiven(const std::string& field, const std::string& value, const std::string& what) {

@@ -1,13 +1,9 @@
 #include "monocular_eye_hand/geometry/seconds_text.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace monocular_eye_hand {
 
-std::string secondsText(double seconds, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f s", digits, seconds);
-  return text;
-}
+std::string secondsText(double seconds, int digits) { return fmt::format("{:.{}f} s", seconds, digits); }
 
 }  // namespace monocular_eye_hand

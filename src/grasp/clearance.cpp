@@ -1,8 +1,9 @@
 #include "clearance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/covariance.h"
 
@@ -16,9 +17,9 @@ double mm(double metres) { return std::round(1e4 * metres) / 10; }
 ClearanceNeed clearanceNeed(const Rigid3& base_from_object, const Matrix6d& held, const Rigid3& base_from_tcp,
                             double width, const GripperOptions& gripper, const GraspPlanOptions& options) {
   // The part's small motion seen in the hand: d_hand = R^T (d about the hand's origin).
-  const Matrix6d motion = motionInAxes(base_from_tcp.rotation.transpose()) *
-                          motionAtOffset(base_from_tcp.translation - base_from_object.translation);
-  const Matrix6d at_hand = carried(motion, held);
+  const Matrix6d motion = adjointOfRotation(base_from_tcp.rotation.transpose()) *
+                          adjointOfTranslation(base_from_tcp.translation - base_from_object.translation);
+  const Matrix6d at_hand = propagate(motion, held);
 
   ClearanceNeed need;
   double largest = 0;
@@ -37,12 +38,10 @@ ClearanceNeed clearanceNeed(const Rigid3& base_from_object, const Matrix6d& held
   const auto refuse = [&](double wanted, double there, const char* where, const char* whose) {
     if (wanted - there <= need.shortfall) return;
     need.shortfall = wanted - there;
-    std::ostringstream text;
-    text << options.sigmas << " sigma of the pose need " << mm(wanted) << " mm " << where << ", " << whose
-         << ' ' << mm(there) << " mm";
+    need.refusal = fmt::format("{:g} sigma of the pose need {:g} mm {}, {} {:g} mm", options.sigmas,
+                               mm(wanted), where, whose, mm(there));
     if (where[0] == 'o')
-      text << " (opening " << mm(gripper.opening_max) << " mm, part " << mm(width) << " mm)";
-    need.refusal = text.str();
+      need.refusal += fmt::format(" (opening {:g} mm, part {:g} mm)", mm(gripper.opening_max), mm(width));
   };
   refuse(need.closing, free, "on each side of the part", "the gripper leaves");
   refuse(need.across, gripper.pad_width / 2, "across the pads", "half a pad is");

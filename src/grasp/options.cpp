@@ -1,32 +1,16 @@
-#include <cmath>
-#include <sstream>
+#include <fmt/format.h>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include <cmath>
+
+#include "monocular_eye_hand/geometry/require.h"
 #include "monocular_eye_hand/grasp/grasp_plan.h"
 
 namespace monocular_eye_hand {
-namespace {
-
-void require(bool good, const std::string& field, double value, const char* rule) {
-  if (good && std::isfinite(value)) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be " << rule;
-  throw BadInput(text.str());
-}
-void requirePositive(const std::string& field, double value) { require(value > 0, field, value, "above 0"); }
-void requireNotNegative(const std::string& field, double value) {
-  require(value >= 0, field, value, "0 or more");
-}
-void requireShare(const std::string& field, double value) {
-  require(value >= 0 && value <= 1, field, value, "between 0 and 1");
-}
-
-}  // namespace
 
 void GripperBox::check() const {
   for (size_t k = 0; k < 3; ++k) {
-    require(true, "centre[" + std::to_string(k) + "]", centre[k], "finite");
-    requirePositive("size[" + std::to_string(k) + "]", size[k]);
+    requireFinite(fmt::format("centre[{}]", k), centre[k]);
+    requirePositive(fmt::format("size[{}]", k), size[k]);
   }
 }
 
@@ -79,7 +63,7 @@ void GraspPlanOptions::check() const {
   require(most >= 1, "most", most, "1 or more");
 }
 
-const char* name(GraspRefusal refusal) {
+std::string toString(GraspRefusal refusal) {
   switch (refusal) {
     case GraspRefusal::kFromBelow:
       return "approach too tilted";

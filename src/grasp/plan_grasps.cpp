@@ -1,10 +1,11 @@
 #include "monocular_eye_hand/grasp/plan_grasps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "boxes.h"
 #include "clearance.h"
@@ -19,11 +20,7 @@ namespace {
 
 constexpr int kRules = int(GraspRefusal::kSingular) + 1;
 
-std::string rounded(double value) {
-  std::ostringstream out;
-  out << std::round(10 * value) / 10;
-  return out.str();
-}
+std::string rounded(double value) { return fmt::format("{:g}", std::round(10 * value) / 10); }
 
 /// The motions that leave the object as it is: discrete ones, times turns about a free axis.
 std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int turns) {
@@ -34,7 +31,7 @@ std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int turns) {
       continue;
     }
     for (int k = 0; k < turns; ++k)
-      copies.push_back(turnAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
+      copies.push_back(rotationAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
   }
   return copies;
 }
@@ -52,7 +49,7 @@ class Planner {
         tcp_from_tool0_(tool0_from_tcp.inverse()),
         current_(current),
         options_(options),
-        held_(heldCovariance(*object.model, object.base_from_object, object.covariance)) {
+        held_(conditionedOnFreeAxis(*object.model, object.base_from_object, object.covariance)) {
     miss_.fill(std::numeric_limits<double>::max());
   }
 
@@ -132,12 +129,10 @@ class Planner {
     }
 
     if (!plan.candidates.empty()) return plan;
-    std::ostringstream out;
-    out << object_.model->name << ": of " << all << " grasps";
+    plan.reason = fmt::format("{}: of {} grasps", object_.model->name, all);
     for (const RefusalCount& r : plan.refusals)
-      out << (&r == &plan.refusals.front() ? " " : "; ") << r.count << ' ' << name(r.refusal) << " ("
-          << r.example << ')';
-    plan.reason = out.str();
+      plan.reason += fmt::format("{}{} {} ({})", &r == &plan.refusals.front() ? " " : "; ", r.count,
+                                 toString(r.refusal), r.example);
     return plan;
   }
 
@@ -173,10 +168,11 @@ class Planner {
         refuse(GraspRefusal::kPart, 0,
                "the hand meets it with an opening of " + rounded(1e3 * c.opening) + " mm");
       } else {
-        std::ostringstream why;
-        why << options_.sigmas << " sigma of the pose, " << rounded(1e3 * need.across) << " mm across and "
-            << rounded(1e3 * need.along) << " mm along the approach, bring the hand to the part";
-        refuse(GraspRefusal::kClearance, need.across + need.along, why.str());
+        refuse(
+            GraspRefusal::kClearance, need.across + need.along,
+            fmt::format("{:g} sigma of the pose, {} mm across and {} mm along the approach, bring the hand "
+                        "to the part",
+                        options_.sigmas, rounded(1e3 * need.across), rounded(1e3 * need.along)));
       }
       return false;
     }
@@ -186,9 +182,8 @@ class Planner {
     for (const GraspObstacle& obstacle : scene_.obstacles) {
       if (!MeshInHand(*obstacle.model, tcp_from_base * obstacle.base_from_object).meets(wide)) continue;
       refuse(GraspRefusal::kObstacle, 0,
-             "the hand comes nearer than " +
-                 std::to_string(int(std::lround(1e3 * options_.obstacle_clearance))) + " mm to " +
-                 obstacle.model->name);
+             fmt::format("the hand comes nearer than {} mm to {}",
+                         int(std::lround(1e3 * options_.obstacle_clearance)), obstacle.model->name));
       return false;
     }
     return true;

@@ -1,6 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "boxes.h"
 #include "contact.h"
@@ -90,7 +91,7 @@ std::vector<Site> facePairs(const ObjectModel& model, const GripperOptions& grip
         site.closing = n;
         site.approach = std::cos(angle) * u + std::sin(angle) * v;
         site.width = width;
-        site.source = "faces " + std::to_string(a) + " and " + std::to_string(b);
+        site.source = fmt::format("faces {} and {}", a, b);
         if (round) {  // other places and directions are this line, turned
           const Eigen::Vector3d& p = model.symmetries.axis->point;
           for (const double s : spread(box.min().x(), box.max().x(), options.step))
@@ -125,7 +126,7 @@ std::vector<Site> cylinders(const ObjectModel& model, const GripperOptions& grip
 
     Site site;
     site.width = width;
-    site.source = "cylinder " + std::to_string(c);
+    site.source = fmt::format("cylinder {}", c);
     // Beyond the wall's ends too: the pads then hold its rim.
     const double reach = s.half_length + gripper.pad_length / 2;
     for (const double t : spread(-reach, reach, options.step / 2))
@@ -258,17 +259,18 @@ ModelGrasps sampleGrasps(const ObjectModel& model, const GripperOptions& gripper
   std::stable_sort(result.grasps.begin(), result.grasps.end(), better);
   result.grasps = distinct(result.grasps, model, size_t(options.most));
   if (result.grasps.empty()) {
-    std::ostringstream text;
-    text << model.name << ": ";
+    result.reason = model.name + ": ";
     if (sites.empty())
-      text << "no parallel faces and no outer cylinder between " << 1e3 * gripper.opening_min << " and "
-           << 1e3 * (gripper.opening_max - 2 * options.margin)
-           << " mm apart, which the gripper opens for; give grasps in the model base";
+      result.reason += fmt::format(
+          "no parallel faces and no outer cylinder between {:g} and {:g} mm apart, which the gripper opens "
+          "for; give grasps in the model base",
+          1e3 * gripper.opening_min, 1e3 * (gripper.opening_max - 2 * options.margin));
     else if (touching == 0)
-      text << "at no place do the pads touch with " << 100 * options.min_contact << " % of their area";
+      result.reason +=
+          fmt::format("at no place do the pads touch with {:g} % of their area", 100 * options.min_contact);
     else
-      text << "at each of the " << touching << " places where the pads touch, the hand meets the part";
-    result.reason = text.str();
+      result.reason +=
+          fmt::format("at each of the {} places where the pads touch, the hand meets the part", touching);
   }
   return result;
 }
@@ -290,19 +292,18 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
   const Eigen::Vector3d centre_of_mass = centreOfMass(model);
   for (size_t k = 0; k < object.handling.grasps.size(); ++k) {
     const GivenGrasp& given = object.handling.grasps[k];
-    const std::string source = "given " + std::to_string(k);
+    const std::string source = fmt::format("given {}", k);
     if (given.width < gripper.opening_min || given.width + 2 * options.margin > gripper.opening_max) {
-      std::ostringstream text;
-      text << (result.reason.empty() ? model.name + ": " : "; ") << source << ": width " << 1e3 * given.width
-           << " mm does not fit the opening of " << 1e3 * gripper.opening_min << " to "
-           << 1e3 * gripper.opening_max << " mm";
-      result.reason += text.str();
+      result.reason += fmt::format("{}{}: width {:g} mm does not fit the opening of {:g} to {:g} mm",
+                                   result.reason.empty() ? model.name + ": " : "; ", source,
+                                   1e3 * given.width, 1e3 * gripper.opening_min, 1e3 * gripper.opening_max);
       continue;
     }
 
     for (int turn = 0; turn < given.turns; ++turn) {
       ModelGrasp grasp;
-      grasp.object_from_tcp = turnAbout(given.axis, 2 * M_PI * turn / given.turns) * given.object_from_tcp;
+      grasp.object_from_tcp =
+          rotationAbout(given.axis, 2 * M_PI * turn / given.turns) * given.object_from_tcp;
       grasp.width = given.width;
       grasp.source = source;
       std::string fault;
@@ -313,8 +314,8 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
       if (fault.empty()) {
         result.grasps.push_back(grasp);
       } else {
-        result.reason += (result.reason.empty() ? model.name + ": " : "; ") + source + ", turn " +
-                         std::to_string(turn) + ": " + fault;
+        result.reason += fmt::format("{}{}, turn {}: {}", result.reason.empty() ? model.name + ": " : "; ",
+                                     source, turn, fault);
       }
     }
   }

@@ -5,8 +5,8 @@
 
 namespace monocular_eye_hand {
 
-/// Which known objects can produce what kind of grouping (seed, eq. 1). Structure only, no visibility, so
-/// that no true candidate is ever left out.
+/// Which known objects can produce what kind of grouping (Wong et al., eq. 1). Structure only, no visibility,
+/// so that no true candidate is ever left out.
 class CandidateTable {
  public:
   explicit CandidateTable(const ModelBase& models);

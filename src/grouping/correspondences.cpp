@@ -6,11 +6,11 @@ namespace {
 std::vector<Correspondence> tripletOrders(bool oriented) {
   std::vector<Correspondence> result;
   for (int mirrored = 0; mirrored < (oriented ? 1 : 2); ++mirrored)
-    for (int turn = 0; turn < 3; ++turn) {
+    for (int shift = 0; shift < 3; ++shift) {
       Correspondence c;
       c.points[0] = 0;
       for (int i = 0; i < 3; ++i) {
-        c.segments[i] = (mirrored ? turn + 3 - i : turn + i) % 3;
+        c.segments[i] = (mirrored ? shift + 3 - i : shift + i) % 3;
         c.points[i + 1] = 1 + c.segments[i];
       }
       result.push_back(c);
@@ -21,12 +21,12 @@ std::vector<Correspondence> tripletOrders(bool oriented) {
 std::vector<Correspondence> quadOrders(bool oriented) {
   std::vector<Correspondence> result;
   for (int mirrored = 0; mirrored < (oriented ? 1 : 2); ++mirrored)
-    for (int turn = 0; turn < 4; ++turn) {
+    for (int shift = 0; shift < 4; ++shift) {
       Correspondence c;
       for (int i = 0; i < 4; ++i) {
-        c.points[i] = (mirrored ? turn + 4 - i : turn + i) % 4;
-        // Side i joins points i and i + 1; mirrored, those are the model's turn - i and turn - i - 1.
-        c.segments[i] = (mirrored ? turn + 3 - i : turn + i) % 4;
+        c.points[i] = (mirrored ? shift + 4 - i : shift + i) % 4;
+        // Side i joins points i and i + 1; mirrored, those are the model's shift - i and shift - i - 1.
+        c.segments[i] = (mirrored ? shift + 3 - i : shift + i) % 4;
       }
       result.push_back(c);
     }

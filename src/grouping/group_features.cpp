@@ -71,7 +71,7 @@ std::vector<Grouping> groupFeatures(const FeatureSet& features, const ModelBase&
 
   const int limit = options.max_per_kind, unlimited = int(edges.size() + features.ellipses.size());
   std::vector<Grouping> all;
-  add(std::vector<Grouping>(edges), unlimited, &all);  // the cover (seed, eq. 1)
+  add(std::vector<Grouping>(edges), unlimited, &all);  // the cover (Wong et al., eq. 1)
   add(junctionGroupings(context, ends), limit, &all);
   add(tripletGroupings(context, ends), limit, &all);
   add(std::vector<Grouping>(chains), limit, &all);

@@ -18,25 +18,26 @@ constexpr size_t kMostKept = 500;
 /// Which features each view of the nearest distance shows as a whole, and how much of the view sphere it
 /// stands for.
 struct Visibility {
-  std::vector<std::vector<char>> shows;  ///< [view][contour group]
+  std::vector<std::vector<char>> shows;  ///< [view][feature]
   std::vector<double> share;             ///< [view], sums to 1
 };
 
 /// Samples that a feature has when all of it is visible.
 std::vector<double> wholeCounts(const ObjectModel& model, const ViewSphere& views) {
-  std::vector<double> whole(model.groupCount(), 1.0);
+  std::vector<double> whole(model.featureCount(), 1.0);
   for (const SampledView& view : views.views) {
     std::vector<double> count(whole.size(), 0.0);
-    for (const ContourSample& s : view.contour) whole[s.group] = std::max(whole[s.group], ++count[s.group]);
+    for (const ContourSample& s : view.contour)
+      whole[s.feature] = std::max(whole[s.feature], ++count[s.feature]);
   }
   // A feature that no view shows to its full length still has its length.
-  const auto atLeast = [&](int group, double length) {
-    if (views.step > 0) whole[group] = std::max(whole[group], std::floor(0.9 * length / views.step));
+  const auto atLeast = [&](int feature, double length) {
+    if (views.step > 0) whole[feature] = std::max(whole[feature], std::floor(0.9 * length / views.step));
   };
   for (size_t e = 0; e < model.edges.size(); ++e)
-    atLeast(model.groupOfEdge(int(e)), (model.edges[e].q - model.edges[e].p).norm());
+    atLeast(model.featureOfEdge(int(e)), (model.edges[e].q - model.edges[e].p).norm());
   for (size_t c = 0; c < model.circles.size(); ++c)
-    atLeast(model.groupOfCircle(int(c)), model.circles[c].length());
+    atLeast(model.featureOfCircle(int(c)), model.circles[c].length());
   return whole;
 }
 
@@ -50,10 +51,10 @@ Visibility visibilityOf(const KnownObject& object) {
   double sum = 0;
   for (int k = 0; k < directions; ++k) {
     const SampledView& view = object.views.views[k];
-    std::vector<char> shows(model.groupCount(), 0);
-    std::vector<int> count(model.groupCount(), 0);
-    for (const ContourSample& s : view.contour) ++count[s.group];
-    for (int g = 0; g < model.groupCount(); ++g) {
+    std::vector<char> shows(model.featureCount(), 0);
+    std::vector<int> count(model.featureCount(), 0);
+    for (const ContourSample& s : view.contour) ++count[s.feature];
+    for (int g = 0; g < model.featureCount(); ++g) {
       const double least = g < int(model.edges.size()) ? kWholeEdge : kWholeCircle;
       shows[g] = count[g] > 0 && count[g] >= least * whole[g];
     }
@@ -73,9 +74,9 @@ Visibility visibilityOf(const KnownObject& object) {
 bool shown(const ObjectModel& model, const std::vector<char>& shows, const ModelGrouping& m,
            const FeatureMap& map) {
   for (int e : m.edges)
-    if (map.edge[e] < 0 || !shows[model.groupOfEdge(map.edge[e])]) return false;
+    if (map.edge[e] < 0 || !shows[model.featureOfEdge(map.edge[e])]) return false;
   for (int c : m.circles)
-    if (map.circle[c] < 0 || !shows[model.groupOfCircle(map.circle[c])]) return false;
+    if (map.circle[c] < 0 || !shows[model.featureOfCircle(map.circle[c])]) return false;
   return true;
 }
 

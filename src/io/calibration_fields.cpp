@@ -1,5 +1,7 @@
 #include "io/calibration_fields.h"
 
+#include <fmt/format.h>
+
 #include <locale.h>
 
 #include <algorithm>
@@ -123,8 +125,7 @@ std::optional<double> CalibrationFields::number(std::initializer_list<const char
   const auto list = numbers(names);
   if (!list) return std::nullopt;
   if (list->size() != 1)
-    throw BadInput("'" + find(names)->name + "' holds " + std::to_string(list->size()) +
-                   " numbers, one expected");
+    throw BadInput(fmt::format("'{}' holds {} numbers, one expected", find(names)->name, list->size()));
   return list->front();
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -27,7 +29,7 @@ class XmlParser {
  private:
   [[noreturn]] void fail(const std::string& problem) const {
     const long line = 1 + std::count(text_.begin(), text_.begin() + long(std::min(at_, text_.size())), '\n');
-    throw BadInput("the XML is damaged in line " + std::to_string(line) + ": " + problem);
+    throw BadInput(fmt::format("the XML is damaged in line {}: {}", line, problem));
   }
 
   bool isAt(const std::string& wanted) const { return text_.compare(at_, wanted.size(), wanted) == 0; }

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/io/camera_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,8 +36,8 @@ struct Tree {
 /// Aliases (*name) may stand in what they name, or double it over and over: then there is no end.
 void requireEnd(const YAML::Node& node, int depth, size_t* values) {
   if (depth > kDeepest || ++*values > kMostValues)
-    refuseAsNone("line " + std::to_string(node.Mark().line + 1) +
-                 " is nested too deeply or repeated too often (by aliases, *name)");
+    refuseAsNone(fmt::format("line {} is nested too deeply or repeated too often (by aliases, *name)",
+                             node.Mark().line + 1));
   if (node.IsSequence()) {
     for (const YAML::Node& item : node) requireEnd(item, depth + 1, values);
   } else if (node.IsMap()) {
@@ -62,7 +64,7 @@ YAML::Node parseYaml(std::string text) {
       return document;
     }
   } catch (const YAML::Exception& e) {
-    refuseAsNone("line " + std::to_string(e.mark.line + 1) + " is not YAML (" + e.msg + ")");
+    refuseAsNone(fmt::format("line {} is not YAML ({})", e.mark.line + 1, e.msg));
   }
   refuseAsNone("no line names a value, as \"image_width: 640\" does");
 }
@@ -164,7 +166,7 @@ void readMatrix(const std::vector<double>& k, Camera* camera) {
     return;
   }
   if (k.size() != 9)
-    throw BadInput("'camera_matrix' has " + std::to_string(k.size()) + " numbers, 9 expected, row by row");
+    throw BadInput(fmt::format("'camera_matrix' has {} numbers, 9 expected, row by row", k.size()));
   if (k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1)
     throw BadInput(
         "'camera_matrix' is not of the form [fx 0 cx; 0 fy cy; 0 0 1], row by row (no skew, not transposed)");
@@ -268,11 +270,11 @@ CameraFile fromTree(const Tree& tree) {
 std::vector<std::string> cameraWarnings(const Camera& camera) {
   const double u = camera.cx / camera.width - 0.5, v = camera.cy / camera.height - 0.5;
   if (std::abs(u) <= kFarFromMiddle && std::abs(v) <= kFarFromMiddle) return {};
-  return {"the principal point (" + plainNumber(camera.cx) + ", " + plainNumber(camera.cy) +
-          ") px lies far from the middle of the image (" + std::to_string(camera.width) + "x" +
-          std::to_string(camera.height) +
-          "): is the calibration that of another binning or of an image that was cropped? Then its poses are "
-          "wrong; calibrate images of this size"};
+  return {
+      fmt::format("the principal point ({}, {}) px lies far from the middle of the image ({}x{}): is the "
+                  "calibration that of another binning or of an image that was cropped? Then its poses are "
+                  "wrong; calibrate images of this size",
+                  plainNumber(camera.cx), plainNumber(camera.cy), camera.width, camera.height)};
 }
 
 CameraFile readCameraFile(const std::string& name) {

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/io/file_content.h"
 
+#include <fmt/format.h>
+
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -118,15 +120,15 @@ std::string fromUtf16(const std::string& bytes, bool little) {
 
 }  // namespace
 
-std::string readFileBytes(const std::string& path, const std::string& kind, size_t most_bytes) {
+std::string readFileBytes(const std::string& path, const std::string& kind, size_t max_bytes) {
   struct stat info;
   if (stat(path.c_str(), &info) != 0)
     throw BadInput(path + ": cannot be read, there is no such file; check the path");
   if (S_ISDIR(info.st_mode)) throw BadInput(path + ": this is a folder, not " + kind);
   if (!S_ISREG(info.st_mode)) throw BadInput(path + ": this is no plain file, so not " + kind);
   if (info.st_size == 0) throw BadInput(path + ": the file is empty; write it again");
-  if (size_t(info.st_size) > most_bytes)
-    throw BadInput(path + ": larger than " + std::to_string(most_bytes >> 20) + " MB, so not " + kind);
+  if (size_t(info.st_size) > max_bytes)
+    throw BadInput(fmt::format("{}: larger than {} MB, so not {}", path, max_bytes >> 20, kind));
 
   std::ifstream in(path, std::ios::binary);
   std::string bytes(size_t(info.st_size), '\0');

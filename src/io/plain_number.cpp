@@ -1,21 +1,20 @@
 #include "monocular_eye_hand/io/plain_number.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace monocular_eye_hand {
 
 std::string plainNumber(double value) {
-  if (!std::isfinite(value)) return std::to_string(value);
+  if (!std::isfinite(value)) return fmt::format("{}", value);
   const double size = std::abs(value);
   const int before = size >= 1 ? int(std::floor(std::log10(size))) + 1 : 0;
   const int zeros = size > 0 && size < 1 ? int(std::floor(-std::log10(size))) : 0;
   const int decimals = std::clamp(3 - before + zeros, 0, 12);
 
-  char text[400];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  std::string out = text;
+  std::string out = fmt::format("{:.{}f}", value, decimals);
   if (out.find('.') == std::string::npos) return out;
   out.erase(out.find_last_not_of('0') + 1);
   if (out.back() == '.') out.pop_back();

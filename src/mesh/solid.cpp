@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/mesh/solid.h"
 
+#include <fmt/format.h>
+
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/cylinder.h>
@@ -82,8 +84,7 @@ void requireMesh(const Mesh& mesh) {
   for (const auto& t : mesh.triangles)
     for (int i : t)
       if (i < 0 || i >= int(mesh.vertices.size()))
-        throw BadInput("the mesh has a triangle with vertex " + std::to_string(i) + " of " +
-                       std::to_string(mesh.vertices.size()));
+        throw BadInput(fmt::format("the mesh has a triangle with vertex {} of {}", i, mesh.vertices.size()));
 }
 
 Solid placedSolid(Kind kind, const Rigid3& owner_from_solid) {

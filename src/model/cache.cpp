@@ -53,7 +53,7 @@ class Writer {
   void operator()(const ContourSample& s) {
     (*this)(s.p);
     (*this)(s.tangent);
-    (*this)(int32_t(s.group));
+    (*this)(int32_t(s.feature));
     (*this)(int8_t(s.silhouette));
     (*this)(int8_t(s.inner_side));
   }
@@ -65,7 +65,7 @@ class Writer {
   }
   void operator()(const CharacteristicView& c) {
     (*this)(c.views);
-    (*this)(c.groups);
+    (*this)(c.features);
     (*this)(c.visible);
     (*this)(c.weight);
   }
@@ -110,14 +110,14 @@ class Reader {
     (*this)(&t->differing);
   }
   void operator()(ContourSample* s) {
-    int32_t group = 0;
+    int32_t feature = 0;
     int8_t silhouette = 0, side = 0;
     (*this)(&s->p);
     (*this)(&s->tangent);
-    (*this)(&group);
+    (*this)(&feature);
     (*this)(&silhouette);
     (*this)(&side);
-    s->group = group;
+    s->feature = feature;
     s->silhouette = silhouette != 0;
     s->inner_side = side;
   }
@@ -131,7 +131,7 @@ class Reader {
   }
   void operator()(CharacteristicView* c) {
     (*this)(&c->views);
-    (*this)(&c->groups);
+    (*this)(&c->features);
     (*this)(&c->visible);
     (*this)(&c->weight);
   }

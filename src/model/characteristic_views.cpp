@@ -12,7 +12,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kNeighbour = 1.6;    // directions nearer than this many spacings are neighbours
-constexpr double kLeastShare = 0.05;  // a group is in a view when this share of it is visible
+constexpr double kLeastShare = 0.05;  // a feature is in a view when this share of it is visible
 
 double stepFor(const ObjectModel& model, const std::vector<Eigen::Vector3d>& directions,
                const ViewOptions& options) {
@@ -31,27 +31,28 @@ double stepFor(const ObjectModel& model, const std::vector<Eigen::Vector3d>& dir
   return length / options.samples_per_view;
 }
 
-/// Visible contour length of every group in every view [m].
+/// Visible contour length of every feature in every view [m].
 using Lengths = std::vector<std::vector<double>>;
 
-Lengths visibleLengths(const ViewSphere& sphere, int groups) {
+Lengths visibleLengths(const ViewSphere& sphere, int features) {
   Lengths lengths;
   for (const SampledView& view : sphere.views) {
-    lengths.emplace_back(groups, 0.0);
-    for (const ContourSample& s : view.contour) lengths.back()[s.group] += sphere.step;
+    lengths.emplace_back(features, 0.0);
+    for (const ContourSample& s : view.contour) lengths.back()[s.feature] += sphere.step;
   }
   return lengths;
 }
 
-/// Full length of each group; a silhouette's is the longest that any view shows.
+/// Full length of each feature; a silhouette's is the longest that any view shows.
 std::vector<double> fullLengths(const ObjectModel& model, const Lengths& visible, double step) {
-  std::vector<double> full(model.groupCount(), 0.0);
+  std::vector<double> full(model.featureCount(), 0.0);
   for (size_t e = 0; e < model.edges.size(); ++e) full[e] = (model.edges[e].q - model.edges[e].p).norm();
   for (size_t c = 0; c < model.circles.size(); ++c)
-    full[model.groupOfCircle(int(c))] = model.circles[c].length();
+    full[model.featureOfCircle(int(c))] = model.circles[c].length();
   for (size_t s = 0; s < model.surfaces.size(); ++s) {
-    double& longest = full[model.groupOfSilhouette(int(s))];
-    for (const auto& lengths : visible) longest = std::max(longest, lengths[model.groupOfSilhouette(int(s))]);
+    double& longest = full[model.featureOfSilhouette(int(s))];
+    for (const auto& lengths : visible)
+      longest = std::max(longest, lengths[model.featureOfSilhouette(int(s))]);
   }
   for (double& f : full) f = std::max(f, step);
   return full;
@@ -62,14 +63,14 @@ int rootOf(std::vector<int>* parent, int k) {
   return k;
 }
 
-/// Joins neighbouring views with equal sets of visible groups; returns each view's class, numbered by first
+/// Joins neighbouring views with equal sets of visible features; returns each view's class, numbered by first
 /// view.
-std::vector<int> mergeViews(const ViewSphere& sphere, const std::vector<std::vector<int>>& groups,
+std::vector<int> mergeViews(const ViewSphere& sphere, const std::vector<std::vector<int>>& features,
                             double spacing) {
   std::vector<int> parent(sphere.views.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto join = [&](int a, int b) {
-    if (groups[a] != groups[b]) return;
+    if (features[a] != features[b]) return;
     a = rootOf(&parent, a);
     b = rootOf(&parent, b);
     parent[std::max(a, b)] = std::min(a, b);
@@ -93,19 +94,19 @@ std::vector<int> mergeViews(const ViewSphere& sphere, const std::vector<std::vec
   return of_view;
 }
 
-void weigh(const Lengths& lengths, const std::vector<double>& full, const std::vector<int>& views_with_group,
-           CharacteristicView* view) {
+void weigh(const Lengths& lengths, const std::vector<double>& full,
+           const std::vector<int>& views_with_feature, CharacteristicView* view) {
   const double all_views = double(lengths.size());
   double total = 0;
   std::vector<double> mean(full.size(), 0.0);
   for (const int v : view->views) {
     for (size_t g = 0; g < full.size(); ++g) mean[g] += lengths[v][g] / double(view->views.size());
   }
-  for (const int g : view->groups) total += mean[g];
+  for (const int g : view->features) total += mean[g];
   double sum = 0;
-  for (const int g : view->groups) {
+  for (const int g : view->features) {
     view->visible.push_back(std::min(1.0, mean[g] / full[g]));
-    view->weight.push_back(std::sqrt(mean[g] / total) * (1 + std::log(all_views / views_with_group[g])));
+    view->weight.push_back(std::sqrt(mean[g] / total) * (1 + std::log(all_views / views_with_feature[g])));
     sum += view->weight.back();
   }
   for (double& w : view->weight) w /= sum;
@@ -152,28 +153,28 @@ ViewSphere sampleViews(const ObjectModel& model, const ViewOptions& options) {
     }
   }
 
-  const Lengths lengths = visibleLengths(sphere, model.groupCount());
+  const Lengths lengths = visibleLengths(sphere, model.featureCount());
   const std::vector<double> full = fullLengths(model, lengths, sphere.step);
-  std::vector<std::vector<int>> groups(sphere.views.size());
-  std::vector<int> views_with_group(model.groupCount(), 0);
+  std::vector<std::vector<int>> features(sphere.views.size());
+  std::vector<int> views_with_feature(model.featureCount(), 0);
   for (size_t v = 0; v < sphere.views.size(); ++v) {
-    for (int g = 0; g < model.groupCount(); ++g) {
+    for (int g = 0; g < model.featureCount(); ++g) {
       if (lengths[v][g] < kLeastShare * full[g] || lengths[v][g] <= 0) continue;
-      groups[v].push_back(g);
-      ++views_with_group[g];
+      features[v].push_back(g);
+      ++views_with_feature[g];
     }
   }
 
-  const std::vector<int> class_of_view = mergeViews(sphere, groups, options.spacing);
+  const std::vector<int> class_of_view = mergeViews(sphere, features, options.spacing);
   for (size_t v = 0; v < sphere.views.size(); ++v) {
     sphere.views[v].characteristic_view = class_of_view[v];
     if (class_of_view[v] == int(sphere.characteristic.size())) {
       sphere.characteristic.emplace_back();
-      sphere.characteristic.back().groups = groups[v];
+      sphere.characteristic.back().features = features[v];
     }
     sphere.characteristic[class_of_view[v]].views.push_back(int(v));
   }
-  for (CharacteristicView& view : sphere.characteristic) weigh(lengths, full, views_with_group, &view);
+  for (CharacteristicView& view : sphere.characteristic) weigh(lengths, full, views_with_feature, &view);
   return sphere;
 }
 

@@ -91,12 +91,12 @@ class View {
 
   bool visible(const Eigen::Vector3d& start) const { return !model_.rays->occluded(start, eye_); }
 
-  void push(const Eigen::Vector3d& p, const Eigen::Vector3d& t, int group, bool silhouette,
+  void push(const Eigen::Vector3d& p, const Eigen::Vector3d& t, int feature, bool silhouette,
             const Eigen::Vector3d& inside) {
     ContourSample s;
     s.p = p;
     s.tangent = t;
-    s.group = group;
+    s.feature = feature;
     s.silhouette = silhouette;
     if (silhouette) s.inner_side = t.cross(p - eye_).dot(inside) > 0 ? 1 : -1;
     out_.push_back(s);
@@ -116,7 +116,7 @@ class View {
     const Eigen::Vector3d away = std::min(index_.start, 0.25 * length) * c.away;
     for (int k = 0; k < steps.count; ++k) {
       const Eigen::Vector3d p = edge.p + t * steps.at(k);
-      if (visible(p + away)) push(p, t, model_.groupOfEdge(e), c.silhouette, c.inside);
+      if (visible(p + away)) push(p, t, model_.featureOfEdge(e), c.silhouette, c.inside);
     }
   }
 
@@ -148,7 +148,7 @@ class View {
       if (!c.shown) continue;
       if (circle.rounding > 0 && !facesBoth(p, n0, n1, circle.rounding, circle.convex)) continue;
       if (visible(p - shrink * radial + start * c.away)) {
-        push(p, t, model_.groupOfCircle(index), c.silhouette, c.inside);
+        push(p, t, model_.featureOfCircle(index), c.silhouette, c.inside);
       }
     }
   }
@@ -171,7 +171,7 @@ class View {
         for (int k = 0; k < steps.count; ++k) {
           const Eigen::Vector3d p = wall.point + wall.radius * radial + (i.low + steps.at(k)) * wall.axis;
           if (visible(p + std::min(wall.start, 0.25 * wall.radius) * radial)) {
-            push(p, wall.axis, wall.group, true, -radial);
+            push(p, wall.axis, wall.feature, true, -radial);
           }
         }
       }
@@ -205,7 +205,7 @@ class View {
       while (after + 1 < line.points.size() && (line.points[after] - p).norm() < 0.5 * options_.step) ++after;
       const Eigen::Vector3d chord = line.points[after] - line.points[before];
       if (!(chord.norm() > 0)) continue;
-      if (visible(p + patch.start * n.normalized())) push(p, chord.normalized(), patch.group, true, -n);
+      if (visible(p + patch.start * n.normalized())) push(p, chord.normalized(), patch.feature, true, -n);
     }
   }
 

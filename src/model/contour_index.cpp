@@ -29,7 +29,7 @@ ContourIndex::ContourIndex(const ObjectModel& model, const Topology& topology, c
 void ContourIndex::addWall(const ObjectModel& model, int surface) {
   const Surface& s = model.surfaces[surface];
   CylinderWall wall;
-  wall.group = model.groupOfSilhouette(surface);
+  wall.feature = model.featureOfSilhouette(surface);
   wall.point = s.point;
   wall.axis = s.axis;
   wall.x = s.axis.unitOrthogonal();
@@ -158,7 +158,7 @@ Eigen::Vector3d normalAtEdge(const ObjectModel& model, const Topology& topology,
 void ContourIndex::addPatch(const ObjectModel& model, const Topology& topology,
                             const std::vector<char>& sharp, int surface) {
   FreeformPatch patch;
-  patch.group = model.groupOfSilhouette(surface);
+  patch.feature = model.featureOfSilhouette(surface);
   // The line lies on the triangles or a little inside the true surface: rays must clear the bulge of the
   // facets.
   patch.start = std::max(start, 2.5 * model.tessellation_error);

@@ -13,7 +13,7 @@ struct HeightRange {
 
 /// The wall of a convex fitted cylinder, unrolled: which heights exist at which angle.
 struct CylinderWall {
-  int group = 0;
+  int feature = 0;
   Eigen::Vector3d point, axis, x, y;
   double radius = 0, start = 0;  ///< start: how far outside the wall visibility rays begin [m]
   struct Triangle {
@@ -31,7 +31,7 @@ struct CylinderWall {
 /// zero. Where it comes to a point, as at the tip of a cone, every edge that ends there has a normal of its
 /// own.
 struct FreeformPatch {
-  int group = 0;
+  int feature = 0;
   double start = 0;
   std::vector<Eigen::Vector3d> points, normals;  ///< per node: a vertex, or an edge's end at a point
   struct Triangle {

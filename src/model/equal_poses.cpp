@@ -5,12 +5,12 @@
 
 namespace monocular_eye_hand {
 
-Rigid3 turnAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation) {
+Rigid3 rotationAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation) {
   return {rotation, point - rotation * point};
 }
 
-Rigid3 turnAbout(const SymmetryAxis& axis, double angle) {
-  return turnAbout(axis.point, Eigen::AngleAxisd(angle, axis.direction).toRotationMatrix());
+Rigid3 rotationAbout(const SymmetryAxis& axis, double angle) {
+  return rotationAbout(axis.point, Eigen::AngleAxisd(angle, axis.direction).toRotationMatrix());
 }
 
 Rigid3 turnedTowards(const ObjectModel& model, const Rigid3& pose, const Rigid3& wanted) {
@@ -19,9 +19,9 @@ Rigid3 turnedTowards(const ObjectModel& model, const Rigid3& pose, const Rigid3&
     // The part of the remaining rotation that is about the axis.
     const Eigen::Quaterniond q(relative);
     const SymmetryAxis& axis = *model.symmetries.axis;
-    return pose * turnAbout(axis, 2 * std::atan2(q.vec().dot(axis.direction), q.w()));
+    return pose * rotationAbout(axis, 2 * std::atan2(q.vec().dot(axis.direction), q.w()));
   }
-  if (model.symmetries.sphere) return pose * turnAbout(model.centre(), relative);
+  if (model.symmetries.sphere) return pose * rotationAbout(model.centre(), relative);
   return pose;
 }
 

@@ -34,7 +34,7 @@ FreeTurns freeTurns(const ObjectModel& model, const Rigid3& pose) {
 
 }  // namespace
 
-Matrix6d heldCovariance(const ObjectModel& model, const Rigid3& pose, const Matrix6d& covariance) {
+Matrix6d conditionedOnFreeAxis(const ObjectModel& model, const Rigid3& pose, const Matrix6d& covariance) {
   const FreeTurns turns = freeTurns(model, pose);
   if (turns.direction.cols() == 0) return covariance;
   // Conditioned on the angles about the free directions being known.
@@ -45,7 +45,7 @@ Matrix6d heldCovariance(const ObjectModel& model, const Rigid3& pose, const Matr
   return 0.5 * (held + held.transpose());
 }
 
-Matrix6d freedCovariance(const ObjectModel& model, const Rigid3& pose, const Matrix6d& held) {
+Matrix6d withFreeAxisVariance(const ObjectModel& model, const Rigid3& pose, const Matrix6d& held) {
   const FreeTurns turns = freeTurns(model, pose);
   if (turns.motion.cols() == 0) return held;
   return held + M_PI * M_PI / 3 * turns.motion * turns.motion.transpose();

@@ -39,7 +39,7 @@ bool alike(const Signature& a, const Signature& b) {
 
 }  // namespace
 
-void warnAboutLookAlikes(ModelBase* base) {
+void warnAboutSimilarModels(ModelBase* base) {
   std::vector<Signature> signatures;
   for (const KnownObject& o : base->objects) signatures.push_back(signatureOf(o.model));
   for (size_t i = 0; i < signatures.size(); ++i) {

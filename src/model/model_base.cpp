@@ -125,7 +125,7 @@ ModelBase compileModels(const std::vector<ObjectEntry>& entries, ModelDepth dept
         "the cache of compiled models, " + cache.folder +
         ", cannot be written: they are compiled at every start. Make the folder writable, or name another "
         "one (the parameter cache of the nodes, XDG_CACHE_HOME)");
-  if (depth > ModelDepth::kMesh) warnAboutLookAlikes(&base);
+  if (depth > ModelDepth::kMesh) warnAboutSimilarModels(&base);
   return base;
 }
 

@@ -75,7 +75,7 @@ void makeExact(const std::vector<std::vector<int>>& table, Turns* turns) {
 
 int indexOfTurn(const std::vector<Eigen::Matrix3d>& list, const Eigen::Matrix3d& rotation) {
   int best = -1;
-  double least = kSameTurn;
+  double least = kSameRotation;
   for (size_t k = 0; k < list.size(); ++k) {
     const double angle = apart(list[k], rotation);
     if (angle >= least) continue;

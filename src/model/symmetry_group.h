@@ -7,9 +7,9 @@
 namespace monocular_eye_hand {
 
 /// Rotations closer than this are one: half of a 60-fold turn [rad].
-constexpr double kSameTurn = 0.06;
+constexpr double kSameRotation = 0.06;
 
-/// Index of the rotation of the list that is nearest to `rotation` and within kSameTurn; -1 without one.
+/// Index of the rotation of the list that is nearest to `rotation` and within kSameRotation; -1 without one.
 int indexOfTurn(const std::vector<Eigen::Matrix3d>& list, const Eigen::Matrix3d& rotation);
 
 /// The smallest finite group of rotations that holds `group` (a group, identity first) and `more`. Products

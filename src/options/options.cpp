@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/options/options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,7 +82,7 @@ void requireList(const OptionTree& tree, const std::string& key) {
 
 void requireLength(const OptionTree& tree, const std::string& key, size_t length) {
   if (tree.kind != OptionTree::Kind::kList || tree.list.size() != length)
-    wrongType(tree, key, "a list of " + std::to_string(length));
+    wrongType(tree, key, fmt::format("a list of {}", length));
 }
 
 void requireMap(const OptionTree& tree, const std::string& key) {
@@ -114,7 +116,7 @@ std::string join(const std::string& parent, const std::string& key) {
   return parent.empty() ? key : parent + "." + key;
 }
 
-std::string index(const std::string& key, size_t i) { return key + "[" + std::to_string(i) + "]"; }
+std::string index(const std::string& key, size_t i) { return fmt::format("{}[{}]", key, i); }
 
 OptionTree write(bool field) { return OptionTree::ofScalar(field ? "true" : "false"); }
 OptionTree write(int field) { return OptionTree::ofScalar(std::to_string(field)); }

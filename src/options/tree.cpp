@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/options/tree.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace monocular_eye_hand {
@@ -46,7 +48,7 @@ std::string OptionTree::describe() const {
     case Kind::kScalar:
       return "'" + scalar + "'";
     case Kind::kList:
-      return "a list of " + std::to_string(list.size());
+      return fmt::format("a list of {}", list.size());
     case Kind::kMap:
       return "a map";
   }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <yaml-cpp/yaml.h>
 
 #include <cctype>
@@ -11,7 +13,7 @@ namespace monocular_eye_hand {
 namespace {
 
 std::string place(const YAML::Mark& mark) {
-  return mark.is_null() ? "" : " (line " + std::to_string(mark.line + 1) + ")";
+  return mark.is_null() ? "" : fmt::format(" (line {})", mark.line + 1);
 }
 
 constexpr int kDeepest = 100;
@@ -23,11 +25,12 @@ class Converter {
  public:
   OptionTree convert(const YAML::Node& node, const std::string& name, int depth = 0) {
     if (depth > kDeepest)
-      throw BadInput("'" + name.substr(0, 60) + "' is nested more than " + std::to_string(kDeepest) +
-                     " levels deep; does an alias (*name) stand in what it names?" + place(node.Mark()));
+      throw BadInput(fmt::format(
+          "'{}' is nested more than {} levels deep; does an alias (*name) stand in what it names?{}",
+          name.substr(0, 60), kDeepest, place(node.Mark())));
     if (++values_ > kMostValues)
-      throw BadInput("there are more than " + std::to_string(kMostValues) +
-                     " values; do aliases (*name) double what they name?" + place(node.Mark()));
+      throw BadInput(fmt::format("there are more than {} values; do aliases (*name) double what they name?{}",
+                                 kMostValues, place(node.Mark())));
     switch (node.Type()) {
       case YAML::NodeType::Scalar:
         return OptionTree::ofScalar(node.Scalar(), node.Tag() == "!");

@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/planning/cartesian_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
 
@@ -71,11 +72,8 @@ class Line {
 
  private:
   CartesianPath& refuse(CartesianOutcome outcome, const std::string& why, double at) {
-    std::ostringstream text;
-    text.precision(3);
-    text << why << " after " << at * length_ * 1e3 << " of " << length_ * 1e3 << " mm";
     path_.outcome = outcome;
-    path_.reason = text.str();
+    path_.reason = fmt::format("{} after {:.3g} of {:.3g} mm", why, at * length_ * 1e3, length_ * 1e3);
     return path_;
   }
   bool clearOfSingularities(const JointVector& joints, double at) {
@@ -92,7 +90,7 @@ class Line {
       if (solutions.empty())
         refuse(CartesianOutcome::kUnreachable, "out of reach or joint limits", at);
       else
-        refuse(CartesianOutcome::kJump, "the posture " + name(branch_) + " ends", at);
+        refuse(CartesianOutcome::kJump, "the posture " + toString(branch_) + " ends", at);
       return false;
     }
     *joints = s->joints;

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/planning/collision_world.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,7 +33,7 @@ Rigid3 requireFinite(const Rigid3& pose, const std::string& name) {
 
 double requirePadding(double padding) {
   if (!(padding >= 0 && padding <= 1))
-    throw BadInput("padding = " + std::to_string(padding) + " must be 0 to 1 m");
+    throw BadInput(fmt::format("padding = {:g} must be 0 to 1 m", padding));
   return padding;
 }
 

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/planning/move_planner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -41,7 +43,7 @@ class Mover {
     for (size_t i = 0; i < request_.joints.size(); ++i)
       if (reach({request_.joints[i]}, int(i), "the joint angles")) return true;
     for (size_t i = 0; request_.joints.empty() && i < request_.base_from_tcp.size(); ++i) {
-      const std::string what = "pose " + std::to_string(i);
+      const std::string what = fmt::format("pose {}", i);
       const auto goals = solutionsByTime(arm_, request_.base_from_tcp[i], at_, options_.candidates);
       if (goals.empty()) record(MoveOutcome::kUnreachable, what + ": out of reach or joint limits");
       if (!goals.empty() && reach(goals, int(i), what)) return true;
@@ -74,8 +76,8 @@ class Mover {
     const JointPath path = planPath(arm_.arm.options().joints, at_, free, testIn(world_), options);
     if (!path.found()) {
       ++failed_searches_;
-      record(MoveOutcome::kNoPath, what + ": no free path found in " + std::to_string(path.tests) +
-                                       " tests (budget " + std::to_string(options.budget) + ")");
+      record(MoveOutcome::kNoPath,
+             fmt::format("{}: no free path found in {} tests (budget {})", what, path.tests, options.budget));
       return false;
     }
 
@@ -98,7 +100,7 @@ class Mover {
 
 }  // namespace
 
-std::string name(MoveOutcome outcome) {
+std::string toString(MoveOutcome outcome) {
   switch (outcome) {
     case MoveOutcome::kPlanned:
       return "planned";

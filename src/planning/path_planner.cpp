@@ -177,15 +177,20 @@ JointPath planPath(const std::array<JointLimit, 6>& limits, const JointVector& s
     path.outcome = outcome;
     return path;
   };
+  const auto collides = [&path, &test](const JointVector& joints) {
+    ++path.tests;
+    return !test.valid(joints);
+  };
   if (!inside(limits, start)) return end(PathOutcome::kOutsideLimits);
-  if (++path.tests, !test.valid(start)) return end(PathOutcome::kStartInCollision);
+  if (collides(start)) return end(PathOutcome::kStartInCollision);
+
   std::vector<JointVector> usable;
   PathOutcome refused = PathOutcome::kFound;
   for (const JointVector& goal : goals) {
     PathOutcome outcome = PathOutcome::kFound;
     if (!inside(limits, goal))
       outcome = PathOutcome::kOutsideLimits;
-    else if (++path.tests, !test.valid(goal))
+    else if (collides(goal))
       outcome = PathOutcome::kGoalInCollision;
     if (outcome == PathOutcome::kFound)
       usable.push_back(goal);

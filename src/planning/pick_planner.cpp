@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/planning/pick_planner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -75,8 +77,8 @@ class Planner {
     path = planPath(arm_.arm.options().joints, from, {to}, testIn(world), options);
     if (path.found()) return path;
     ++failed_searches_;
-    failure_.record(none, std::string("no free path to ") + what + " found in " + std::to_string(path.tests) +
-                              " tests (budget " + std::to_string(options.budget) + ")");
+    failure_.record(none, fmt::format("no free path to {} found in {} tests (budget {})", what, path.tests,
+                                      options.budget));
     return path;
   }
 
@@ -133,7 +135,7 @@ class Planner {
 
 }  // namespace
 
-std::string name(PickOutcome outcome) {
+std::string toString(PickOutcome outcome) {
   switch (outcome) {
     case PickOutcome::kPlanned:
       return "planned";
@@ -181,7 +183,7 @@ ActionOutcome outcomeOf(PickOutcome outcome) {
   return ActionOutcome::kUnreachable;
 }
 
-std::string name(PickStage stage) {
+std::string toString(PickStage stage) {
   switch (stage) {
     case PickStage::kReach:
       return "reach";
@@ -202,7 +204,7 @@ std::string name(PickStage stage) {
 const PickMotion& PickPlan::motion(PickStage stage) const {
   for (const PickMotion& motion : motions)
     if (motion.stage == stage) return motion;
-  throw BadInput("the plan has no motion \"" + name(stage) + "\"");
+  throw BadInput("the plan has no motion \"" + toString(stage) + "\"");
 }
 
 std::vector<Trajectory> PickPlan::trajectories() const {

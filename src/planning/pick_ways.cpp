@@ -1,8 +1,9 @@
 #include "planning/pick_ways.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace monocular_eye_hand {
 namespace {
@@ -30,11 +31,9 @@ CollisionPair alongLine(const CollisionWorld& world, const std::vector<JointVect
 }  // namespace
 
 std::string describe(const CollisionPair& pair) {
-  std::ostringstream text;
-  text.precision(2);
-  text << pair.first << (pair.distance > 0 ? " too near to " : " touches ") << pair.second;
-  text << " (" << std::abs(pair.distance) * 1e3 << (pair.distance > 0 ? " mm away)" : " mm deep)");
-  return text.str();
+  const bool apart = pair.distance > 0;
+  return fmt::format("{} {} {} ({:.2g} mm {})", pair.first, apart ? "too near to" : "touches", pair.second,
+                     std::abs(pair.distance) * 1e3, apart ? "away" : "deep");
 }
 
 void PickFailure::record(PickOutcome new_outcome, const std::string& new_reason) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -86,9 +88,9 @@ class Placer {
         planPath(arm_.arm.options().joints, departure_.end, {above}, testIn(worlds_.carry), options);
     if (path.found()) return path;
     ++failed_searches_;
-    failure_.record(PickOutcome::kNoPathToDrop, "no free path to the drop found in " +
-                                                    std::to_string(path.tests) + " tests (budget " +
-                                                    std::to_string(options.budget) + ")");
+    failure_.record(
+        PickOutcome::kNoPathToDrop,
+        fmt::format("no free path to the drop found in {} tests (budget {})", path.tests, options.budget));
     return path;
   }
 

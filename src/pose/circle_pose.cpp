@@ -55,9 +55,9 @@ CirclePoses circlePoses(const Ellipse& ellipse, const Camera& camera, double rad
       ellipse.a * s / camera.fy, ellipse.b * c / camera.fy, (ellipse.centre.y() - camera.cy) / camera.fy,  //
       0, 0, 1;
   const Eigen::Vector3d middle = rays.col(2);
-  const Eigen::Matrix3d turn =
+  const Eigen::Matrix3d rotation =
       Eigen::Quaterniond::FromTwoVectors(middle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  rays.leftCols<2>() = (turn * rays.leftCols<2>()).eval();
+  rays.leftCols<2>() = (rotation * rays.leftCols<2>()).eval();
   rays.col(2) = Eigen::Vector3d(0, 0, middle.norm());
 
   // Q = rays^-T diag(1, 1, -1) rays^-1, the inverse by cross products
@@ -82,7 +82,8 @@ CirclePoses circlePoses(const Ellipse& ellipse, const Camera& camera, double rad
   const double sine = std::sqrt(std::max(0.0, (l1 - l2) / (l1 - l3))),
                cosine = std::sqrt((l2 - l3) / (l1 - l3));
   const double range = radius / std::sqrt(-l1 * l3);
-  const Eigen::Vector3d e1 = turn.transpose() * v.col(order[0]), e3 = turn.transpose() * v.col(order[2]);
+  const Eigen::Vector3d e1 = rotation.transpose() * v.col(order[0]),
+                        e3 = rotation.transpose() * v.col(order[2]);
   for (int i = 0; i < 2; ++i) {
     const double sign = i == 0 ? 1 : -1;
     Eigen::Vector3d normal = sign * sine * e1 + cosine * e3;

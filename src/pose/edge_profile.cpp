@@ -13,8 +13,8 @@ namespace {
 // of others within so many times what their blur departs from the clean one, or what their direction turns.
 constexpr double kLeastOffset = 0.02;  // px
 constexpr double kOffsetPerBlur = 2.2;
-constexpr double kOffsetPerTurn = 2.3;               // px per radian
-constexpr double kUsualTurn = 1.5 * M_PI / 180;      // scatter of single points' directions
+constexpr double kOffsetPerRadian = 2.3;             // px per radian
+constexpr double kUsualAngle = 1.5 * M_PI / 180;     // scatter of single points' directions
 constexpr double kShare = 0.25, kLeastWidth = 0.02;  // of the appearances in the interval, and its width [px]
 
 }  // namespace
@@ -34,15 +34,15 @@ EdgeProfiles::EdgeProfiles(const std::vector<EdgeAppearance>& appearances) {
 }
 
 double EdgeProfiles::expectedOffset(const std::vector<EdgeAppearance>& edge) const {
-  std::vector<double> blurs, turns;
+  std::vector<double> blurs, angles;
   for (const EdgeAppearance& point : edge) {
     blurs.push_back(point.blur);
-    turns.push_back(std::abs(point.turn));
+    angles.push_back(std::abs(point.angle));
   }
   if (edge.empty()) return kLeastOffset;
   const double departure = std::max(0.0, std::abs(median(&blurs) - clean_blur_) - half_width_);
-  const double turn = std::max(0.0, median(&turns) - kUsualTurn);
-  return std::hypot(kLeastOffset, kOffsetPerBlur * departure, kOffsetPerTurn * turn);
+  const double angle = std::max(0.0, median(&angles) - kUsualAngle);
+  return std::hypot(kLeastOffset, kOffsetPerBlur * departure, kOffsetPerRadian * angle);
 }
 
 }  // namespace monocular_eye_hand

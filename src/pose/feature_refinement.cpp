@@ -15,7 +15,7 @@ namespace {
 // How many observations it is worth what is known of a feature's errors before anything is seen.
 constexpr double kCommonWorth = 4, kSampleWorth = 4;
 constexpr double kSampleError = 0.04;  // of a sample by itself, at first [px]
-constexpr double kTurned = 0.45;       // displacement at an edge's ends by its turn, over that of the whole
+constexpr double kRotated = 0.45;  // displacement at an edge's ends by its rotation, over that of the whole
 constexpr double kLeastSpread = 0.03;  // [px]
 constexpr double kCorrelation = 3;     // neighbouring samples err alike: so many count as one
 constexpr double kOutlier = 1.5;       // residuals beyond this belong to something else [px]
@@ -42,8 +42,8 @@ struct Sample {
 };
 
 // The samples of one feature: residual + derivative^T motion = basis^T common + independent error, where
-// basis = (1, place along the feature, place across it), places within -kTurned .. kTurned. A straight edge
-// is displaced or turned, a circle grows or is displaced.
+// basis = (1, place along the feature, place across it), places within -kRotated .. kRotated. A straight edge
+// is displaced or rotated, a circle grows or is displaced.
 class Feature {
  public:
   Feature(const std::vector<Sample>& samples, double expected_offset)
@@ -56,7 +56,7 @@ class Feature {
     const Eigen::Vector2d across(-along.y(), along.x());
     double reach = 0;
     for (const Sample& s : samples) reach = std::max(reach, std::abs(along.dot(s.uv - mean)));
-    const double scale = samples.size() < 3 || !(reach > 0) ? 0 : kTurned / reach;
+    const double scale = samples.size() < 3 || !(reach > 0) ? 0 : kRotated / reach;
 
     for (const Sample& s : samples) {
       const Eigen::Vector2d place = s.uv - mean;
@@ -172,13 +172,13 @@ double spread(const SamplesByFeature& samples, const Vector6d& motion) {
   return std::max(kLeastSpread, median(&sizes) / 0.6745);
 }
 
-// The motion of perturbed() that turns the object about its free axis.
-Vector6d freeTurn(const Rigid3& pose, const FreeAxis& axis) {
-  Vector6d turn = Vector6d::Zero();
-  if (!axis.present) return turn;
+// The motion of perturbed() that rotates the object about its free axis.
+Vector6d freeRotation(const Rigid3& pose, const FreeAxis& axis) {
+  Vector6d rotation = Vector6d::Zero();
+  if (!axis.present) return rotation;
   const Eigen::Vector3d direction = (pose.rotation * axis.direction).normalized();
-  turn << (pose.rotation * axis.point).cross(direction), direction;
-  return turn;
+  rotation << (pose.rotation * axis.point).cross(direction), direction;
+  return rotation;
 }
 
 // Covariance of the motion that shifts the whole part in the image.
@@ -194,7 +194,7 @@ struct Estimate {
   Vector6d motion = Vector6d::Zero();
   Matrix6d covariance = Matrix6d::Identity();
 };
-Estimate maximizeExpectation(const Vector6d& turn, std::vector<Feature>* features) {
+Estimate maximizeExpectation(const Vector6d& rotation, std::vector<Feature>* features) {
   Vector6d prior;
   prior << Eigen::Vector3d::Constant(1 / (kPriorMetres * kPriorMetres)),
       Eigen::Vector3d::Constant(1 / (kPriorRadians * kPriorRadians));
@@ -203,7 +203,7 @@ Estimate maximizeExpectation(const Vector6d& turn, std::vector<Feature>* feature
     if (i > 0)
       for (Feature& feature : *features) feature.estimate(estimate.motion, estimate.covariance);
     Matrix6d information = prior.asDiagonal();
-    information += kHeld * turn * turn.transpose();
+    information += kHeld * rotation * rotation.transpose();
     Vector6d gradient = Vector6d::Zero();
     for (Feature& feature : *features) feature.addTo(&information, &gradient);
     estimate.covariance = information.ldlt().solve(Matrix6d::Identity());
@@ -222,18 +222,18 @@ RefinedPose refineByFeatures(const Rigid3& start, const Camera& camera,
   if (usable.empty()) return refined;
 
   std::vector<Feature> features = featuresOf(usable);
-  const Vector6d turn = freeTurn(start, axis);
-  Estimate estimate = maximizeExpectation(turn, &features);
+  const Vector6d rotation = freeRotation(start, axis);
+  Estimate estimate = maximizeExpectation(rotation, &features);
   const double first_spread = spread(usable, estimate.motion);
   if (first_spread > kUsualSpread) {
     for (Feature& f : features)
       f.expectMore(kExcessShare * std::sqrt(first_spread * first_spread - kUsualSpread * kUsualSpread));
-    estimate = maximizeExpectation(turn, &features);
+    estimate = maximizeExpectation(rotation, &features);
   }
 
   const Matrix6d covariance = spread(usable, estimate.motion) / kHonestSpread * estimate.covariance +
                               shiftCovariance(camera, start.translation.z()) +
-                              M_PI * M_PI / 3 * turn * turn.transpose();
+                              M_PI * M_PI / 3 * rotation * rotation.transpose();
   if (!estimate.motion.allFinite() || !covariance.allFinite()) return refined;
   refined.camera_from_object = perturbed(start, estimate.motion);
   refined.covariance = 0.5 * (covariance + covariance.transpose());

@@ -13,14 +13,14 @@ namespace {
 constexpr double kNearest = 1e-9;  // [m] in front of the lens
 
 /// Upper triangle of h += w j j^T, g += w r j.
-inline void add(double w, double r, const Eigen::Vector3d& a, const Eigen::Vector3d& turned, double* h,
+inline void add(double w, double r, const Eigen::Vector3d& a, const Eigen::Vector3d& rotated, double* h,
                 double* g) {
   const double j[6] = {a.x(),
                        a.y(),
                        a.z(),
-                       turned.y() * a.z() - turned.z() * a.y(),
-                       turned.z() * a.x() - turned.x() * a.z(),
-                       turned.x() * a.y() - turned.y() * a.x()};
+                       rotated.y() * a.z() - rotated.z() * a.y(),
+                       rotated.z() * a.x() - rotated.x() * a.z(),
+                       rotated.x() * a.y() - rotated.y() * a.x()};
   int k = 0;
   for (int i = 0; i < 6; ++i) {
     const double wj = w * j[i];
@@ -52,8 +52,8 @@ void MatchResiduals::evaluate(const Rigid3& pose) {
   size_t k = 0;
   for (const LineMatch& m : lines_) {
     Row& row = rows_[k++];
-    row.turned.noalias() = pose.rotation * m.p_in_object;
-    const Eigen::Vector3d p = row.turned + pose.translation;
+    row.rotated.noalias() = pose.rotation * m.p_in_object;
+    const Eigen::Vector3d p = row.rotated + pose.translation;
     if (!(p.z() > kNearest)) {
       row.square = -1;
       continue;
@@ -68,8 +68,8 @@ void MatchResiduals::evaluate(const Rigid3& pose) {
 
   for (const PointMatch& m : points_) {
     Row& row = rows_[k++];
-    row.turned.noalias() = pose.rotation * m.p_in_object;
-    const Eigen::Vector3d p = row.turned + pose.translation;
+    row.rotated.noalias() = pose.rotation * m.p_in_object;
+    const Eigen::Vector3d p = row.rotated + pose.translation;
     if (!(p.z() > kNearest)) {
       row.square = -1;
       continue;
@@ -107,8 +107,8 @@ NormalEquations MatchResiduals::accumulate(double cut) const {
 
     const double v = 1 - u, w = v * v;
     sum.cost += cut > 0 ? most * (1 - w * v) : 0.5 * row.square;
-    add(w, row.r0, row.a0, row.turned, h, g);
-    if (!is_line) add(w, row.r1, row.a1, row.turned, h, g);
+    add(w, row.r0, row.a0, row.rotated, h, g);
+    if (!is_line) add(w, row.r1, row.a1, row.rotated, h, g);
 
     const int dimension = is_line ? 1 : 2;
     const double sigma = is_line ? lines_[i].sigma : points_[i - lines_.size()].sigma;

@@ -40,7 +40,7 @@ class MatchResiduals {
  private:
   struct Row {  // residuals and derivatives by the point's position, all divided by sigma
     double r0, r1;
-    Eigen::Vector3d a0, a1, turned;
+    Eigen::Vector3d a0, a1, rotated;
     double square;  // r0^2 + r1^2; negative behind the camera
   };
   const Camera& camera_;

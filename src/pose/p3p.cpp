@@ -71,7 +71,7 @@ PoseSolutions solveP3P(const Eigen::Matrix3d& bearings, const Eigen::Matrix3d& p
   result.count = solveBaseTriangle(j, triangle, roots);
   if (result.count == 0) return result;
 
-  // Two vectors and their cross product on either side (seed 2.3.4): side 12, altitude, normal.
+  // Two vectors and their cross product on either side (Wong et al. 2.3.4): side 12, altitude, normal.
   const Eigen::Vector3d u = base * inverse, v = height / height_length, w = u.cross(v);
   const Eigen::Vector3d middle = p1 + 0.5 * base;
   const double inverse_altitude = 1 / triangle.altitude;

@@ -1,13 +1,12 @@
 #include "monocular_eye_hand/pose/refine.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "monocular_eye_hand/geometry/error.h"
 #include "pose/normal_equations.h"
 
 namespace monocular_eye_hand {
@@ -47,7 +46,7 @@ struct Coordinates {
     rotation_axes.col(0) = free.unitOrthogonal();
     rotation_axes.col(1) = free.cross(rotation_axes.col(0));
   }
-  void turn(Matrix6d* h, Vector6d* g) const {
+  void rotate(Matrix6d* h, Vector6d* g) const {
     if (!held) return;
     h->rightCols<3>() = (h->rightCols<3>() * rotation_axes).eval();
     h->bottomRows<3>() = (rotation_axes.transpose() * h->bottomRows<3>()).eval();
@@ -104,7 +103,7 @@ void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* 
   Matrix6d h = at.hessian;
   Vector6d unused = Vector6d::Zero();
   const Coordinates coordinates(pose, axis);
-  coordinates.turn(&h, &unused);
+  coordinates.rotate(&h, &unused);
 
   const int unknowns = axis.present ? 5 : 6;
   result->well_posed = fullRank(h);
@@ -136,15 +135,10 @@ void covarianceOf(const NormalEquations& at, const FreeAxis& axis, RefinedPose* 
 }  // namespace
 
 void RefineOptions::check() const {
-  const auto refuse = [](const char* field, double value, const char* rule) {
-    std::ostringstream text;
-    text << "refine: " << field << " = " << value << " must be " << rule;
-    throw BadInput(text.str());
-  };
-  if (max_iterations < 1 || max_iterations > 10000) refuse("max_iterations", max_iterations, "in 1..10000");
-  if (!(robust_scale == 0 || robust_scale >= 1) || !std::isfinite(robust_scale))
-    refuse("robust_scale", robust_scale, "0 (least squares) or at least 1");
-  if (!(min_step >= 0) || !std::isfinite(min_step)) refuse("min_step", min_step, "finite and not negative");
+  require(max_iterations >= 1 && max_iterations <= 10000, "max_iterations", max_iterations, "1 to 10000");
+  require(robust_scale == 0 || robust_scale >= 1, "robust_scale", robust_scale,
+          "0 (least squares) or at least 1");
+  requireNotNegative("min_step", min_step);
 }
 
 RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vector<LineMatch>& lines,
@@ -170,7 +164,7 @@ RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vec
     // The loss is flatter than its weights say, by mean psi' / mean w: steps as long as Newton's once it is
     // settled
     if (settled) h *= std::clamp(now.slope / now.weights, 0.5, 1.0);
-    coordinates.turn(&h, &g);
+    coordinates.rotate(&h, &g);
     if (!dampedStep(h, g, lambda, &step)) {
       lambda = std::max(1e-8, lambda * 10);
       continue;
@@ -212,24 +206,24 @@ RefinedPose refinePose(const Rigid3& start, const Camera& camera, const std::vec
 }
 
 double lineResidual(const Rigid3& pose, const Camera& camera, const LineMatch& match, Vector6d* derivative) {
-  const Eigen::Vector3d turned = pose.rotation * match.p_in_object, p = turned + pose.translation;
+  const Eigen::Vector3d rotated = pose.rotation * match.p_in_object, p = rotated + pose.translation;
   if (derivative) {
     const double z = 1 / p.z(), nx = match.normal.x() * camera.fx * z, ny = match.normal.y() * camera.fy * z;
     const Eigen::Vector3d a(nx, ny, -(nx * p.x() + ny * p.y()) * z);
-    *derivative << a, turned.cross(a);
+    *derivative << a, rotated.cross(a);
   }
   return match.normal.dot(camera.project(p) - match.uv);
 }
 
 Eigen::Vector2d pointResidual(const Rigid3& pose, const Camera& camera, const PointMatch& match,
                               Eigen::Matrix<double, 2, 6>* derivative) {
-  const Eigen::Vector3d turned = pose.rotation * match.p_in_object, p = turned + pose.translation;
+  const Eigen::Vector3d rotated = pose.rotation * match.p_in_object, p = rotated + pose.translation;
   if (derivative) {
     const double z = 1 / p.z();
     const Eigen::Vector3d u(camera.fx * z, 0, -camera.fx * p.x() * z * z),
         v(0, camera.fy * z, -camera.fy * p.y() * z * z);
-    derivative->row(0) << u.transpose(), turned.cross(u).transpose();
-    derivative->row(1) << v.transpose(), turned.cross(v).transpose();
+    derivative->row(0) << u.transpose(), rotated.cross(u).transpose();
+    derivative->row(1) << v.transpose(), rotated.cross(v).transpose();
   }
   return camera.project(p) - match.uv;
 }

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <cstring>
 
-// The ratios of the legs are the common points of two conics, the differences of the cosine laws (seed, eqs.
-// 3-5) with the scale eliminated. A degenerate member of their pencil, one root of a cubic, is a pair of
-// lines, and each line meets the conics in two of the four solutions (Finsterwalder's method in the
+// The ratios of the legs are the common points of two conics, the differences of the cosine laws (Wong et
+// al., eqs. 3-5) with the scale eliminated. A degenerate member of their pencil, one root of a cubic, is a
+// pair of lines, and each line meets the conics in two of the four solutions (Finsterwalder's method in the
 // projective plane, see Haralick et al., IJCV 13, 1994). Three choices make it sharp:
 //  - coordinates (x, y, w) with legs (w + e x, w + e y, w), e = the angular size of the triangle, and 1 - cos
 //  taken

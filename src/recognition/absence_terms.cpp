@@ -75,8 +75,8 @@ void absenceTerms(const ObjectModel& model, const SearchImage& image, Candidate*
       continue;
     }
     inner.add(hit, bare);
-    features[s.group].add(hit, bare);
-    if (!s.silhouette && dihedralOf(model, s.group) > kSharp) sharp.add(hit, bare);
+    features[s.feature].add(hit, bare);
+    if (!s.silhouette && dihedralOf(model, s.feature) > kSharp) sharp.add(hit, bare);
   }
 
   EvidenceTerms& terms = candidate->terms;
@@ -88,7 +88,7 @@ void absenceTerms(const ObjectModel& model, const SearchImage& image, Candidate*
   terms.inner_bare = inner.bareShare();
   terms.sharp_bare = sharp.bareShare();
   int found = 0, bare = 0, counted = 0;
-  for (const auto& [group, tally] : features) {
+  for (const auto& [index, tally] : features) {
     if (tally.samples * kStep < kMinFeature) continue;
     ++counted;
     found += tally.hits >= kFoundShare * tally.samples;

@@ -34,8 +34,8 @@ FreeAxis freeAxis(const ObjectModel& model) {
 double roundingSigma(double rounding, double dihedral) {
   return rounding * std::sin(0.5 * dihedral) / std::sqrt(3.0);
 }
-double roundingSigma(const ObjectModel& model, int group) {
-  const size_t edge = size_t(group), circle = edge - model.edges.size();
+double roundingSigma(const ObjectModel& model, int feature) {
+  const size_t edge = size_t(feature), circle = edge - model.edges.size();
   if (edge < model.edges.size()) return roundingSigma(model.edges[edge].rounding, model.edges[edge].dihedral);
   if (circle >= model.circles.size()) return 0;
   return roundingSigma(model.circles[circle].rounding, model.circles[circle].dihedral);
@@ -69,7 +69,7 @@ std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchIma
     sample.line = {s.p_in_object, point.uv.cast<double>(), normal,
                    std::hypot(s.rounding, std::max({kMinSigma, double(point.sigma), range / 3}))};
     sample.displacement = s.rounding;
-    sample.feature = s.group;
+    sample.feature = s.feature;
     const double across = s.direction.dot(point.normal.cast<double>());
     sample.appearance = {point.blur, std::asin(std::clamp(across, -1.0, 1.0))};
     matches.push_back({sample, found, (pose * s.p_in_object).z()});
@@ -79,7 +79,7 @@ std::vector<ContourMatch> matchContour(const SearchModel& model, const SearchIma
 
 // Where two features answer to one image edge, as the front and the back rim of a face seen straight on do,
 // the nearer one is what the image shows; counted twice the edge would seem to fix the tilt.
-std::vector<FeatureSample> withoutDoubles(std::vector<ContourMatch> matches) {
+std::vector<FeatureSample> uniqueEdgeMatches(std::vector<ContourMatch> matches) {
   constexpr int kNear = 2;  // edge points apart along their trace
   std::stable_sort(matches.begin(), matches.end(),
                    [](const ContourMatch& a, const ContourMatch& b) { return a.edge_point < b.edge_point; });
@@ -119,8 +119,8 @@ std::vector<SeenSample> projectContour(const ObjectModel& model, const Rigid3& p
     const double length = direction.norm();
     if (!(length > 1e-9)) continue;  // seen end-on
     out.direction = direction / length;
-    out.group = s.group;
-    out.rounding = roundingSigma(model, s.group) * focalLength(camera) / p.z();
+    out.feature = s.feature;
+    out.rounding = roundingSigma(model, s.feature) * focalLength(camera) / p.z();
     out.silhouette = s.silhouette;
 
     if (s.inner_side != 0) {
@@ -198,7 +198,7 @@ RefinedPose alignByFeatures(const SearchModel& model, const SearchImage& image, 
   best.camera_from_object = start;
   for (int round = 0; round < kFeatureRounds; ++round) {
     const Rigid3& pose = best.camera_from_object;
-    std::vector<FeatureSample> samples = withoutDoubles(matchContour(model, image, pose, range, step));
+    std::vector<FeatureSample> samples = uniqueEdgeMatches(matchContour(model, image, pose, range, step));
     if (samples.size() < kMinMatches) break;
     correctBlurBias(pose, image.camera, &samples);
     const RefinedPose refined = refineByFeatures(pose, image.camera, samples, axis);

@@ -13,10 +13,10 @@ template <class T>
 class BestOfPlaces {
  public:
   /// `width`, `height`: of the image [px]; `most`: kept of each place.
-  BestOfPlaces(int width, int height, int most)
+  BestOfPlaces(int width, int height, int max_count)
       : cells_x_(int(std::ceil(width / kCell)) + 2),
         cells_y_(int(std::ceil(height / kCell)) + 2),
-        most_(size_t(most)),
+        max_count_(size_t(max_count)),
         cells_(size_t(cells_x_) * size_t(cells_y_)) {}
 
   /// Whether something at a pixel would find its place: in the image or just beside it.
@@ -56,7 +56,7 @@ class BestOfPlaces {
 
   // A heap with the worst in front.
   void put(std::vector<T>* cell, const T& item) {
-    if (cell->size() == most_) {
+    if (cell->size() == max_count_) {
       if (!item.betterThan(cell->front())) return;
       std::pop_heap(cell->begin(), cell->end(), better);
       cell->pop_back();
@@ -66,7 +66,7 @@ class BestOfPlaces {
   }
 
   int cells_x_, cells_y_;
-  size_t most_;
+  size_t max_count_;
   std::vector<std::vector<T>> cells_;
 };
 

@@ -20,7 +20,7 @@ struct SeenSample {
   Eigen::Vector3d p_in_object;
   Eigen::Vector2d uv, direction;  ///< rectified pixels; direction: unit
   double rounding = 0;  ///< standard deviation of a rounded edge's place across itself, 0: sharp [px]
-  int group = 0;
+  int feature = 0;
   int edge_point = -1;  ///< FeatureSet::points, -1: none within range
   bool inside = false;  ///< inside the image, and not hidden
   bool hidden = false;  ///< behind a surely recognised object
@@ -53,7 +53,7 @@ struct Candidate {
   std::vector<SeenSample> contour;
   std::vector<int> claimed;  ///< edge points that answer it, ascending
   std::vector<int> covered;  ///< cells of kCoverCell px that its faces cover, ascending
-  int matched_groups = 0;
+  int matched_features = 0;
   int matched_corners = 0;          ///< size of its constellation, see growConstellation
   std::vector<Occluder> occluders;  ///< verify() does not miss what they hide
   cv::Rect bounding_box;

@@ -12,7 +12,7 @@ namespace monocular_eye_hand {
 /// One contour sample of a sampled view, in single precision.
 struct ViewSample {
   Eigen::Vector3f p, tangent;  ///< object frame; tangent unit
-  int group = 0;
+  int feature = 0;
 };
 
 /// The contour of a view as the coarse score reads it: every coordinate of the samples in a row, filled up to

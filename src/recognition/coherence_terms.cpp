@@ -27,7 +27,7 @@ void coherenceTerms(const SearchImage& image, Candidate* candidate) {
   for (const SeenSample& s : candidate->contour) {
     if (!s.inside) continue;
     ++inside;
-    const bool neighbours = before && before->group == s.group;
+    const bool neighbours = before && before->feature == s.feature;
     before = &s;
     if (!neighbours) run = 0;
     if (s.edge_point < 0) {
@@ -40,7 +40,7 @@ void coherenceTerms(const SearchImage& image, Candidate* candidate) {
     const Eigen::Vector2d normal = s.normal();
     const double across = normal.dot(point.normal.cast<double>());
     slant += 1 - std::abs(across);
-    Polarity& sign = polarity[s.group];
+    Polarity& sign = polarity[s.feature];
     sign.positive += across > 0;
     ++sign.count;
     gradients.push_back(point.gradient);
@@ -71,7 +71,8 @@ void coherenceTerms(const SearchImage& image, Candidate* candidate) {
   terms.jitter = linked ? std::sqrt(jitter / linked) : 1;
   terms.run = inside ? double(longest) / inside : 0;
   int agreeing = 0;
-  for (const auto& [group, sign] : polarity) agreeing += std::max(sign.positive, sign.count - sign.positive);
+  for (const auto& [feature, sign] : polarity)
+    agreeing += std::max(sign.positive, sign.count - sign.positive);
   terms.polarity = hits ? double(agreeing) / hits : 0;
   terms.blur = median(&blurs);
 

@@ -82,7 +82,7 @@ std::vector<PointMatch> growConstellation(const SearchModel& model, const Candid
                                           const std::vector<ImageCorner>& corners) {
   std::vector<char> visible(model.model().edges.size(), 0);
   for (const SeenSample& s : candidate.contour)
-    if (s.inside && s.group < int(visible.size())) visible[s.group] = 1;
+    if (s.inside && s.feature < int(visible.size())) visible[s.feature] = 1;
 
   struct Pair {
     int agreeing;

@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/recognition/decision_weights.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "decision_yaml.h"
 #include "monocular_eye_hand/geometry/error.h"
@@ -69,9 +70,7 @@ std::vector<TermContribution> contributions(const std::vector<double>& values, c
 }
 
 std::string inWords(const TermContribution& c) {
-  char numbers[60];
-  std::snprintf(numbers, sizeof numbers, " %.2f (usually %.2f)", c.value, c.typical);
-  return c.words + std::string(numbers);
+  return fmt::format("{} {:.2f} (usually {:.2f})", c.words, c.value, c.typical);
 }
 
 DecisionWeights fittedWeights() {

@@ -7,9 +7,9 @@
 
 namespace monocular_eye_hand {
 
-int latticeStep(const cv::Rect& box, int most_rays) {
+int latticeStep(const cv::Rect& box, int max_rays) {
   int step = 2;
-  while (step < kCoverCell && box.area() / (step * step) > most_rays) step *= 2;
+  while (step < kCoverCell && box.area() / (step * step) > max_rays) step *= 2;
   return step;
 }
 

@@ -16,8 +16,8 @@ struct DrawnPixel {
   double distance;  ///< from the camera [m]
 };
 
-/// Lattice step with which at most `most_rays` pixels of the box are looked at: 2, 4 ... kCoverCell px.
-int latticeStep(const cv::Rect& box, int most_rays);
+/// Lattice step with which at most `max_rays` pixels of the box are looked at: 2, 4 ... kCoverCell px.
+int latticeStep(const cv::Rect& box, int max_rays);
 
 /// Those of the lattice within the candidate's bounding box, row by row. The lattice is common to all
 /// candidates of an image, so that their pixels compare.

@@ -37,7 +37,7 @@ FinePose keptEqual(const ObjectModel& model, int object, const FinePose& pose,
   if (old == previous.end()) return pose;
 
   const Rigid3 equal = nearestEqualPose(model, now, old->camera_from_object);
-  return {equal, carried(motionAtOffset(equal.translation - now.translation), pose.covariance)};
+  return {equal, propagate(adjointOfTranslation(equal.translation - now.translation), pose.covariance)};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ FlatView flatten(const SampledView& view, const Eigen::Matrix3d& rotation, const
     const double scale = view.distance / p.z();
     flat.place.emplace_back(p.head<2>() * scale);
     flat.direction.emplace_back((t.head<2>() - p.head<2>() * (t.z() / p.z())) * scale);
-    flat.group.push_back(s.group);
+    flat.feature.push_back(s.feature);
     flat.length += flat.direction.back().norm() * step;
   }
   return flat;
@@ -30,7 +30,7 @@ Eigen::Vector2d flatPoint(const Eigen::Vector3d& p_in_object, const SampledView&
 double sampleStepOf(const SampledView& view) {
   std::vector<double> gaps;
   for (size_t i = 1; i < view.contour.size(); ++i)
-    if (view.contour[i].group == view.contour[i - 1].group)
+    if (view.contour[i].feature == view.contour[i - 1].feature)
       gaps.push_back((view.contour[i].p - view.contour[i - 1].p).norm());
   if (gaps.empty()) return 0.01;
   return median(&gaps);

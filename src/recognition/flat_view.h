@@ -11,7 +11,7 @@ namespace monocular_eye_hand {
 struct FlatView {
   std::vector<Eigen::Vector2d> place;      ///< one per contour sample of the view [m]
   std::vector<Eigen::Vector2d> direction;  ///< of the contour there, as long as a metre along it looks
-  std::vector<int> group;                  ///< ContourSample::group
+  std::vector<int> feature;                ///< ContourSample::feature
   double length = 0;                       ///< of the whole contour [m]
 };
 

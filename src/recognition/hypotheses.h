@@ -61,7 +61,8 @@ void hypothesesFromGroupings(const SearchTask& task, int object, HypothesisPool*
 
 /// The usable segments (flags) that may be edges of a part, the most telling first, at most so many: long
 /// ones among few of their direction.
-std::vector<int> mostTellingSegments(const SearchImage& image, const std::vector<char>& usable, size_t most);
+std::vector<int> mostTellingSegments(const SearchImage& image, const std::vector<char>& usable,
+                                     size_t max_count);
 
 /// One whole edge with the view sphere: every one of these segments as every edge of every sampled view.
 void hypothesesFromEdges(const SearchTask& task, int object, const std::vector<int>& segments,

@@ -19,7 +19,7 @@ struct RankedGrouping {
 };
 
 /// How many ways there are to lay the grouping over the model.
-int waysToLay(const Grouping& seen, const SearchModel& model) {
+int correspondenceCount(const Grouping& seen, const SearchModel& model) {
   int ways = 0;
   for (const ModelGrouping& known : model.groupings())
     if (known.points.size() == seen.points.size()) ways += int(correspondences(seen, known).size());
@@ -45,7 +45,7 @@ std::vector<RankedGrouping> rankGroupings(const SearchImage& image, int object, 
   for (const Grouping& seen : image.groupings) {  // best first within a kind
     if (!fixesPose(seen) || !isWithin(largest, seen)) continue;
     if (std::find(seen.candidates.begin(), seen.candidates.end(), object) == seen.candidates.end()) continue;
-    const int ways = waysToLay(seen, model);
+    const int ways = correspondenceCount(seen, model);
     if (ways == 0 || ++tried[size_t(seen.kind)] > kMaxPerKind) continue;
     ranked.push_back({&seen, seen.weight / ways});
   }

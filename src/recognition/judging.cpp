@@ -1,5 +1,7 @@
 #include "recognition/judging.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -67,10 +69,10 @@ std::vector<AlignedHypothesis> alignHypotheses(const SearchTask& task, const Sea
                                                const std::vector<Hypothesis>& hypotheses,
                                                WorkBudget* budget) {
   const std::vector<AlignedHypothesis> moved = alignedWithin(kWideRanges, task, model, hypotheses, budget);
-  const size_t most =
+  const size_t max_count =
       std::max(size_t(task.options.verified_per_object), size_t(kCarriedOn * double(moved.size())));
   std::vector<Hypothesis> carried_on;
-  for (size_t i = 0; i < std::min(most, moved.size()); ++i) carried_on.push_back(moved[i].hypothesis);
+  for (size_t i = 0; i < std::min(max_count, moved.size()); ++i) carried_on.push_back(moved[i].hypothesis);
   return alignedWithin(kNarrowRanges, task, model, carried_on, budget);
 }
 
@@ -148,10 +150,10 @@ std::vector<Judged> judgeStarts(const SearchTask& task, const std::vector<Start>
   };
 
   // As many at once as there are threads, on what is known before them; then in their order, on all.
-  const size_t most = size_t(threadsHere());
+  const size_t max_count = size_t(threadsHere());
   while (judged.size() < starts.size()) {
     const size_t first = judged.size();
-    const int count = int(std::min(most, starts.size() - first));
+    const int count = int(std::min(max_count, starts.size() - first));
     std::vector<std::optional<Candidate>> aligned(size_t(count), std::nullopt);
     std::vector<char> borne_out(size_t(count), 0);
     atOnce(count, budget, [&](int i, WorkBudget* part) {
@@ -224,8 +226,8 @@ std::vector<Candidate> judgeProposals(const SearchTask& task, const std::vector<
     std::vector<Start> starts;
     for (const PoseProposal& proposal : proposals) {
       if (proposal.object < 0 || proposal.object >= int(task.models.size()))
-        throw BadInput("a pose is proposed for object " + std::to_string(proposal.object) +
-                       ", the model base has " + std::to_string(task.models.size()));
+        throw BadInput(fmt::format("a pose is proposed for object {}, the model base has {}", proposal.object,
+                                   task.models.size()));
       starts.push_back({proposal.object, proposal.camera_from_object});
     }
     WorkBudget no_limit;

@@ -36,8 +36,8 @@ Rigid3 tilted(const Rigid3& pose, const Eigen::Vector3d& centre_in_object, size_
   const Eigen::Vector3d view = centre.normalized(), x = view.unitOrthogonal(), y = view.cross(x);
   const double angle = 2 * M_PI * double(side) / double(kSides);
   const Eigen::Vector3d axis = std::cos(angle) * x + std::sin(angle) * y;
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(kTilt, axis).toRotationMatrix();
-  return turnAbout(centre, turn) * pose;
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(kTilt, axis).toRotationMatrix();
+  return rotationAbout(centre, rotation) * pose;
 }
 
 // The most probable of so many, if it is more probable than that.

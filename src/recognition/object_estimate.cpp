@@ -1,12 +1,14 @@
 #include "monocular_eye_hand/recognition/object_estimate.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
 
-const char* name(Decision decision) {
+std::string toString(Decision decision) {
   switch (decision) {
     case Decision::kAccepted:
       return "accepted";
@@ -20,13 +22,13 @@ const char* name(Decision decision) {
 
 void SupportPlane::check() const {
   if (!(std::abs(normal.norm() - 1) < 1e-6))
-    throw BadInput("support plane: the normal has length " + std::to_string(normal.norm()) + ", not 1");
+    throw BadInput(fmt::format("support plane: the normal has length {:g}, not 1", normal.norm()));
   if (!std::isfinite(offset)) throw BadInput("support plane: offset is not finite");
   if (!(tolerance >= 0))
-    throw BadInput("support plane: tolerance = " + std::to_string(tolerance) + " must not be negative [m]");
+    throw BadInput(fmt::format("support plane: tolerance = {:g} must not be negative [m]", tolerance));
 }
 
-const char* name(Fate fate) {
+std::string toString(Fate fate) {
   switch (fate) {
     case Fate::kAccepted:
       return "accepted";

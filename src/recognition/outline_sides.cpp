@@ -41,7 +41,7 @@ std::vector<char> ownSamples(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
 
 }  // namespace
 
-std::vector<ViewRuler> outlineSides(const FlatView& flat, double diameter) {
+std::vector<BaseEdge> outlineSides(const FlatView& flat, double diameter) {
   const double cell = diameter / kCells;
   std::vector<std::vector<cv::Point>> outlines;
   cv::findContours(coveredCells(flat, cell), outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
@@ -49,7 +49,7 @@ std::vector<ViewRuler> outlineSides(const FlatView& flat, double diameter) {
     return Eigen::Vector2d(p.x - kCells - kGap + 0.5, p.y - kCells - kGap + 0.5) * cell;
   };
 
-  std::vector<ViewRuler> sides;
+  std::vector<BaseEdge> sides;
   for (const std::vector<cv::Point>& outline : outlines) {
     std::vector<cv::Point> corners;
     cv::approxPolyDP(outline, corners, kCrests * kCells, true);

@@ -21,13 +21,13 @@ constexpr double kNoLever = 1e-9;  // an edge this near to the axis tells no rol
 constexpr double kSameAxis = 0.5;  // farthest such an axis may be from the one ellipse's [rad]
 
 // About a circle's axis.
-struct Turn {
+struct AxisRotation {
   double cosine = 1, sine = 0;
 };
 
-struct Turns {
+struct AxisRotations {
   int count = 0;
-  std::array<Turn, 2> turn;
+  std::array<AxisRotation, 2> rotation;
 };
 
 // Small ellipses fix the tilt badly: neighbours with another short axis and direction are tried as well.
@@ -39,27 +39,28 @@ std::vector<Ellipse> variants(const Ellipse& seen) {
     e.b = std::min(e.b + db, e.a);
     if (e.b > 1.5) all.push_back(e);
   }
-  for (double turn : {-0.12, 0.12}) {
+  for (double rotation : {-0.12, 0.12}) {
     Ellipse e = seen;
-    e.angle += turn;
+    e.angle += rotation;
     all.push_back(e);
   }
   return all;
 }
 
-// Turns that are tried where nothing tells the turn about the axis.
-const std::vector<Turn>& allTurns() {
-  static const std::vector<Turn> kAll = [] {
-    std::vector<Turn> turns;
-    turns.reserve(kRolls);
+// Rotations that are tried where nothing tells the rotation about the axis.
+const std::vector<AxisRotation>& allRotations() {
+  static const std::vector<AxisRotation> kAll = [] {
+    std::vector<AxisRotation> all;
+    all.reserve(kRolls);
     for (int k = 0; k < kRolls; ++k)
-      turns.push_back({std::cos(2 * M_PI * k / kRolls), std::sin(2 * M_PI * k / kRolls)});
-    return turns;
+      all.push_back({std::cos(2 * M_PI * k / kRolls), std::sin(2 * M_PI * k / kRolls)});
+    return all;
   }();
   return kAll;
 }
 
-// Poses with the circle's centre at `centre` and its axis along `normal`, that differ by the turn about it.
+// Poses with the circle's centre at `centre` and its axis along `normal`, that differ by the rotation about
+// it.
 class PosesOfCircle {
  public:
   PosesOfCircle(const ModelCircle& circle, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal)
@@ -71,12 +72,12 @@ class PosesOfCircle {
 
   const Eigen::Vector3d& centre() const { return centre_; }
   const Eigen::Vector3d& normal() const { return normal_; }
-  /// Where the circle's x and y axes lie before the turn.
+  /// Where the circle's x and y axes lie before the rotation.
   const Eigen::Vector3d& u() const { return u_; }
   const Eigen::Vector3d& v() const { return v_; }
 
-  Rigid3 turnedBy(const Turn& turn) const {
-    const auto& [c, s] = turn;
+  Rigid3 rotatedBy(const AxisRotation& rotation) const {
+    const auto& [c, s] = rotation;
     Eigen::Matrix3d in_object, in_camera;
     in_object << circle_.x_axis, circle_.axis.cross(circle_.x_axis), circle_.axis;
     in_camera << c * u_ + s * v_, c * v_ - s * u_, normal_;
@@ -86,9 +87,9 @@ class PosesOfCircle {
     return pose;
   }
   // Of a point given along the circle's x, y and axis.
-  Eigen::Vector3d turnedBy(const Turn& turn, const Eigen::Vector3d& place) const {
-    const double x = turn.cosine * place.x() - turn.sine * place.y();
-    const double y = turn.sine * place.x() + turn.cosine * place.y();
+  Eigen::Vector3d rotatedBy(const AxisRotation& rotation, const Eigen::Vector3d& place) const {
+    const double x = rotation.cosine * place.x() - rotation.sine * place.y();
+    const double y = rotation.sine * place.x() + rotation.cosine * place.y();
     return centre_ + x * u_ + y * v_ + place.z() * normal_;
   }
 
@@ -110,13 +111,13 @@ class PosesOfCircle {
   Eigen::Vector3d centre_, normal_, u_, v_;
 };
 
-void turnAbout(const ObjectModel& model, const PosesOfCircle& circle, std::vector<Rigid3>* poses) {
+void offerRotations(const ObjectModel& model, const PosesOfCircle& circle, std::vector<Rigid3>* poses) {
   if (!circle.rimShows()) return;
   if (model.symmetries.axis) {
-    poses->push_back(circle.turnedBy(allTurns().front()));
+    poses->push_back(circle.rotatedBy(allRotations().front()));
     return;
   }
-  for (const Turn& turn : allTurns()) poses->push_back(circle.turnedBy(turn));
+  for (const AxisRotation& rotation : allRotations()) poses->push_back(circle.rotatedBy(rotation));
 }
 
 // Whether an object with its circle there may be at one of the distances.
@@ -153,9 +154,10 @@ Eigen::Vector3d placeAbout(const ModelCircle& circle, const Eigen::Vector3d& poi
   return {r.dot(circle.x_axis), r.dot(circle.axis.cross(circle.x_axis)), r.dot(circle.axis)};
 }
 
-// Turns about the circle's axis that bring a point (placeAbout) into the plane of the eye and the image line:
-// plane . (centre + z normal + (x u + y v) cos + (x v - y u) sin) = 0, with cos^2 + sin^2 = 1.
-Turns turnsOntoLine(const Eigen::Vector3d& plane, const PosesOfCircle& circle, const Eigen::Vector3d& place) {
+// Rotations about the circle's axis that bring a point (placeAbout) into the plane of the eye and the image
+// line: plane . (centre + z normal + (x u + y v) cos + (x v - y u) sin) = 0, with cos^2 + sin^2 = 1.
+AxisRotations rotationsOntoLine(const Eigen::Vector3d& plane, const PosesOfCircle& circle,
+                                const Eigen::Vector3d& place) {
   const double pu = plane.dot(circle.u()), pv = plane.dot(circle.v());
   const double a = place.x() * pu + place.y() * pv, b = place.x() * pv - place.y() * pu;
   const double c = plane.dot(circle.centre() + place.z() * circle.normal());
@@ -196,7 +198,7 @@ void posesOfEllipse(const SearchImage& image, const ObjectModel& model, const Di
     const CirclePoses solutions = circlePoses(seen, image.camera, circle.radius);
     for (int i = 0; i < solutions.count && within(range, model, circle, solutions.pose[0].centre); ++i)
       for (double side : {1.0, -1.0})  // a rim is seen from its face's side or, as an outline, from behind
-        turnAbout(model, {circle, solutions.pose[i].centre, side * solutions.pose[i].normal}, poses);
+        offerRotations(model, {circle, solutions.pose[i].centre, side * solutions.pose[i].normal}, poses);
   }
 }
 
@@ -223,7 +225,7 @@ void posesOfEllipsePair(const SearchImage& image, const ObjectModel& model, cons
         axis = axisThroughCentres(image.camera, centre, seen, offset, axis);
       const Eigen::Vector3d second = centre + offset * axis;
       if (second.z() <= 0 || (image.camera.project(second) - seen).norm() > kCentreError) continue;
-      turnAbout(model, {circle, centre, axis}, poses);
+      offerRotations(model, {circle, centre, axis}, poses);
     }
 }
 
@@ -234,7 +236,7 @@ void posesOfEllipseLine(const SearchImage& image, const ObjectModel& model, cons
   const ModelCircle& circle = model.circles[known.circles[order.ellipses[0]]];
   const Eigen::Vector3d first = placeAbout(circle, known.points[order.points[0]]);
   const Eigen::Vector3d last = placeAbout(circle, known.points[order.points[1]]);
-  // The end that is farther from the axis tells the turn better.
+  // The end that is farther from the axis tells the rotation better.
   const Eigen::Vector3d& lever = first.head<2>().squaredNorm() > last.head<2>().squaredNorm() ? first : last;
   const CirclePoses& solutions = image.unit_circles[size_t(seen.ellipses[0])];
   const Eigen::Vector3d plane = camera.ray(seen.points[0]).cross(camera.ray(seen.points[1])).normalized();
@@ -243,13 +245,14 @@ void posesOfEllipseLine(const SearchImage& image, const ObjectModel& model, cons
     const Eigen::Vector3d centre = circle.radius * solutions.pose[i].centre;
     if (!within(range, model, circle, centre)) continue;
     for (double side : {1.0, -1.0}) {
-      const PosesOfCircle turns(circle, centre, side * solutions.pose[i].normal);
-      if (!turns.rimShows()) continue;
-      const Turns onto = turnsOntoLine(plane, turns, lever);
+      const PosesOfCircle about_axis(circle, centre, side * solutions.pose[i].normal);
+      if (!about_axis.rimShows()) continue;
+      const AxisRotations onto = rotationsOntoLine(plane, about_axis, lever);
       for (int k = 0; k < onto.count; ++k) {
-        const Turn& turn = onto.turn[size_t(k)];
-        if (liesOnSegment(camera, seen, turns.turnedBy(turn, first), turns.turnedBy(turn, last)))
-          poses->push_back(turns.turnedBy(turn));
+        const AxisRotation& rotation = onto.rotation[size_t(k)];
+        if (liesOnSegment(camera, seen, about_axis.rotatedBy(rotation, first),
+                          about_axis.rotatedBy(rotation, last)))
+          poses->push_back(about_axis.rotatedBy(rotation));
       }
     }
   }

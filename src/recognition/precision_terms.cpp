@@ -23,7 +23,7 @@ void precisionTerms(const SearchImage& image, Candidate* candidate) {
   std::vector<double> offsets;
   for (const SeenSample& s : candidate->contour) {
     if (!s.inside) continue;
-    Tally& feature = features[s.group];
+    Tally& feature = features[s.feature];
     ++feature.samples;
     if (s.edge_point < 0) continue;
 
@@ -37,7 +37,7 @@ void precisionTerms(const SearchImage& image, Candidate* candidate) {
 
   EvidenceTerms& terms = candidate->terms;
   terms.offset = offsets.empty() ? kHitRange : median(&offsets);
-  for (const auto& [group, feature] : features)
+  for (const auto& [index, feature] : features)
     terms.precise_features +=
         feature.samples >= kShortest && feature.precise >= kFeatureShare * feature.samples;
 }

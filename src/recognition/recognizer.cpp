@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 
+#include <fmt/format.h>
+
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -47,9 +49,8 @@ void checkImage(const cv::Mat& grey, const Camera& camera) {
   if (grey.empty()) throw BadInput("the image is empty");
   if (grey.type() != CV_8UC1) throw BadInput("the image must be 8-bit grey (CV_8UC1)");
   if (grey.cols != camera.width || grey.rows != camera.height)
-    throw BadInput("the image is " + std::to_string(grey.cols) + " x " + std::to_string(grey.rows) +
-                   " but the camera is calibrated for " + std::to_string(camera.width) + " x " +
-                   std::to_string(camera.height));
+    throw BadInput(fmt::format("the image is {} x {} but the camera is calibrated for {} x {}", grey.cols,
+                               grey.rows, camera.width, camera.height));
 }
 
 bool anyAccepted(const std::vector<Candidate>& candidates, const RecognitionOptions& options) {

@@ -1,8 +1,9 @@
 #include "recognition/reporting.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace monocular_eye_hand {
@@ -15,10 +16,10 @@ double matchedWeight(const SearchModel& model, const Candidate& candidate) {
   if (index < 0) return candidate.terms.hit_ratio;
   const CharacteristicView& view = sphere.characteristic[index];
   double matched = 0, expected = 0;
-  for (size_t i = 0; i < view.groups.size(); ++i) {
+  for (size_t i = 0; i < view.features.size(); ++i) {
     int samples = 0, hits = 0;
     for (const SeenSample& s : candidate.contour)
-      if (s.group == view.groups[i] && s.inside) {
+      if (s.feature == view.features[i] && s.inside) {
         ++samples;
         hits += s.edge_point >= 0;
       }
@@ -80,7 +81,7 @@ ObjectEstimate reportObject(const SearchTask& task, const Candidate& candidate, 
   object.probability = candidate.probability;
   object.decision = verdict.decision;
   object.alternatives = verdict.alternatives;
-  object.matched_features = candidate.matched_groups;
+  object.matched_features = candidate.matched_features;
   object.expected_features = int(candidate.terms.groups);
   object.matched_groupings = matchedGroupings(candidate, task.image.groupings, task.image.features);
   object.characteristic_view = model.object().views.views[candidate.view].characteristic_view;
@@ -102,7 +103,7 @@ JudgedCandidate reportJudged(const SearchTask& task, const Candidate& candidate)
   JudgedCandidate judged;
   judged.object = candidate.object;
   judged.name = model.model().name;
-  judged.kind = name(candidate.kind);
+  judged.kind = toString(candidate.kind);
   judged.camera_from_object = candidate.pose.camera_from_object;
   judged.plausibility = plausibility(weight, candidate.terms);
   judged.reliability = reliability(weight, candidate.terms);
@@ -130,17 +131,17 @@ Fate fateOf(Decision decision) {
 }  // namespace
 
 std::string describeSymmetry(const Symmetries& symmetries) {
-  std::ostringstream text;
   if (symmetries.sphere) return "every orientation looks the same";
+  std::string text;
   if (symmetries.axis) {
     const auto& a = *symmetries.axis;
-    text << "free about the axis (" << rounded(a.direction.x()) << ", " << rounded(a.direction.y()) << ", "
-         << rounded(a.direction.z()) << ") through (" << rounded(a.point.x()) << ", " << rounded(a.point.y())
-         << ", " << rounded(a.point.z()) << ") m";
-    if (symmetries.discrete.size() > 1) text << ", ";
+    text = fmt::format("free about the axis ({:g}, {:g}, {:g}) through ({:g}, {:g}, {:g}) m",
+                       rounded(a.direction.x()), rounded(a.direction.y()), rounded(a.direction.z()),
+                       rounded(a.point.x()), rounded(a.point.y()), rounded(a.point.z()));
+    if (symmetries.discrete.size() > 1) text += ", ";
   }
-  if (symmetries.discrete.size() > 1) text << symmetries.discrete.size() << " equal poses";
-  return text.str();
+  if (symmetries.discrete.size() > 1) text += fmt::format("{} equal poses", symmetries.discrete.size());
+  return text;
 }
 
 RecognitionResult reportObjects(const SearchTask& task, const SearchOutcome& outcome, double scale) {
@@ -189,8 +190,8 @@ std::string whyNothing(const SearchTask& task, const SearchOutcome& outcome,
     reason = "best candidate is " + result.rejected.front().name + ": " + result.rejected.front().reason;
 
   if (result.budget_spent)
-    reason += "; the budget of " + std::to_string(task.options.budget) +
-              " hypotheses was spent before all groupings were used";
+    reason += fmt::format("; the budget of {} hypotheses was spent before all groupings were used",
+                          task.options.budget);
   if (result.truncated) reason += "; the time limit cut the search";
   return reason;
 }

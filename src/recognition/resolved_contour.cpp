@@ -15,7 +15,7 @@ constexpr double kCrowd = 10;      // so near to a ring other lines crowd it [px
 constexpr double kOutline = 10;    // strength of a silhouette: above any dihedral [rad]
 
 double strength(const ObjectModel& model, const SeenSample& s) {
-  return s.silhouette ? kOutline : dihedralOf(model, s.group);
+  return s.silhouette ? kOutline : dihedralOf(model, s.feature);
 }
 
 // How far one sample lies from another along that one's line and across it [px].
@@ -24,7 +24,8 @@ struct Offset {
 };
 // Nothing between samples of one feature, and of lines that run in other directions.
 std::optional<Offset> offsetOfParallels(const SeenSample& from, const SeenSample& to) {
-  if (from.group == to.group || std::abs(from.direction.dot(to.direction)) < kParallel) return std::nullopt;
+  if (from.feature == to.feature || std::abs(from.direction.dot(to.direction)) < kParallel)
+    return std::nullopt;
   const Eigen::Vector2d apart = to.uv - from.uv;
   return Offset{from.direction.dot(apart), from.normal().dot(apart)};
 }
@@ -38,8 +39,8 @@ std::vector<int> byStrength(const ObjectModel& model, const std::vector<SeenSamp
   std::vector<Run> runs;
   for (int i = 0; i < int(contour.size()); ++i) {
     const SeenSample& s = contour[size_t(i)];
-    const bool goes_on =
-        i > 0 && contour[size_t(i) - 1].group == s.group && contour[size_t(i) - 1].silhouette == s.silhouette;
+    const bool goes_on = i > 0 && contour[size_t(i) - 1].feature == s.feature &&
+                         contour[size_t(i) - 1].silhouette == s.silhouette;
     if (!goes_on) runs.push_back({i, i, strength(model, s)});
     runs.back().end = i + 1;
   }
@@ -109,17 +110,17 @@ struct LinesBeside {
   bool areTwo() const { return farthest - nearest >= kOneLine; }
 };
 
-bool isCircle(const ObjectModel& model, int group) {
-  const int circle = group - int(model.edges.size());
+bool isCircle(const ObjectModel& model, int feature) {
+  const int circle = feature - int(model.edges.size());
   return circle >= 0 && circle < int(model.circles.size());
 }
 
 }  // namespace
 
-double dihedralOf(const ObjectModel& model, int group) {
+double dihedralOf(const ObjectModel& model, int feature) {
   const int edges = int(model.edges.size()), circles = int(model.circles.size());
-  if (group < edges) return model.edges[size_t(group)].dihedral;
-  if (group < edges + circles) return model.circles[size_t(group - edges)].dihedral;
+  if (feature < edges) return model.edges[size_t(feature)].dihedral;
+  if (feature < edges + circles) return model.circles[size_t(feature - edges)].dihedral;
   return 0;
 }
 
@@ -158,7 +159,7 @@ std::vector<char> crowdedRings(const ObjectModel& model, const std::vector<SeenS
     });
   };
   for (size_t i = 0; i < contour.size(); ++i)
-    flags[i] = isCircle(model, contour[i].group) && isCrowded(int(i));
+    flags[i] = isCircle(model, contour[i].feature) && isCrowded(int(i));
   return flags;
 }
 

@@ -6,8 +6,8 @@
 
 namespace monocular_eye_hand {
 
-/// Angle between the faces that meet at a feature (SeenSample::group) [rad]; 0 of a silhouette of no edge.
-double dihedralOf(const ObjectModel& model, int group);
+/// Angle between the faces that meet at a feature (SeenSample::feature) [rad]; 0 of a silhouette of no edge.
+double dihedralOf(const ObjectModel& model, int feature);
 
 /// What of a drawn contour a camera can tell apart: of parallel lines of different features that run less
 /// than 2.5 px beside each other (the rims of a chamfer, of a sheet, of a fillet seen from afar) only the

@@ -20,10 +20,10 @@ using Samples = std::vector<const SeenSample*>;
 
 // Whether the drawing itself has a line here with this direction.
 bool drawn(const std::vector<SeenSample>& contour, const Eigen::Vector2d& uv,
-           const Eigen::Vector2d& direction, int except_group) {
+           const Eigen::Vector2d& direction, int except_feature) {
   constexpr double kNear = 5;  // [px]
   return std::any_of(contour.begin(), contour.end(), [&](const SeenSample& s) {
-    return s.group != except_group && std::abs(s.direction.dot(direction)) > kSameLine &&
+    return s.feature != except_feature && std::abs(s.direction.dot(direction)) > kSameLine &&
            (s.uv - uv).squaredNorm() < kNear * kNear;
   });
 }
@@ -67,7 +67,7 @@ void continuationTerm(const ObjectModel& model, const SearchImage& image, Candid
   const Rigid3& pose = candidate->pose.camera_from_object;
   std::map<int, Samples> by_edge;
   for (const SeenSample& s : candidate->contour)
-    if (s.group < int(model.edges.size())) by_edge[s.group].push_back(&s);
+    if (s.feature < int(model.edges.size())) by_edge[s.feature].push_back(&s);
 
   double running = 0;
   int tested = 0;

@@ -93,7 +93,7 @@ SearchImage lookAtImage(const cv::Mat& grey, const Camera& camera, int reduction
 
   image = log->timed("grouping", [&](StageReport* report) {
     SearchImage grouped = withGroupings(std::move(image), base, options.grouping);
-    for (const Grouping& grouping : grouped.groupings) ++report->counts[name(grouping.kind)];
+    for (const Grouping& grouping : grouped.groupings) ++report->counts[toString(grouping.kind)];
     return grouped;
   });
 

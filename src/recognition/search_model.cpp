@@ -7,10 +7,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/model/equal_poses.h"
-#include "recognition/anchors.h"
 #include "recognition/flat_view.h"
 #include "recognition/focal_length.h"
 #include "recognition/resolved_contour.h"
+#include "recognition/view_templates.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -19,9 +19,9 @@ constexpr size_t kMostCompared = 2000;  // vertices that tell whether two poses 
 constexpr int kLookupSide = 24;         // cells along one side of a cube face
 constexpr double kCoarseSize =
     160;  // a part's diameter where its lines are told apart for the coarse score [px]
-constexpr double kSquare = 0.15;    // sides that differ by less of the larger one are taken for each other
-constexpr double kBeside = 0.3;     // eyes this near to one that sees a grouping may see it, too [rad]
-constexpr double kSameTurn = 0.06;  // rotations nearer than this are one [rad]
+constexpr double kSquare = 0.15;  // sides that differ by less of the larger one are taken for each other
+constexpr double kBeside = 0.3;   // eyes this near to one that sees a grouping may see it, too [rad]
+constexpr double kSameRotation = 0.06;  // rotations nearer than this are one [rad]
 
 int lookupCell(const Eigen::Vector3d& d) {
   int axis;
@@ -69,7 +69,7 @@ SampledView resolvedView(const ObjectModel& model, const SampledView& view, cons
     s.p_in_object = view.contour[i].p;
     s.uv = flat.place[i] * (kCoarseSize / model.diameter);
     s.direction = flat.direction[i].normalized();
-    s.group = view.contour[i].group;
+    s.feature = view.contour[i].feature;
     s.silhouette = view.contour[i].silhouette;
     drawn.push_back(s);
   }
@@ -98,7 +98,7 @@ SearchModel::SearchModel(const KnownObject& object)
     std::vector<ViewSample> samples;
     for (int i : order) {
       const ContourSample& s = resolved.contour[i];
-      samples.push_back({s.p.cast<float>(), s.tangent.cast<float>(), s.group});
+      samples.push_back({s.p.cast<float>(), s.tangent.cast<float>(), s.feature});
     }
     // Fewer samples stand for the same contour: the step grows accordingly.
     if (!samples.empty()) step *= float(resolved.contour.size()) / float(samples.size());
@@ -109,12 +109,12 @@ SearchModel::SearchModel(const KnownObject& object)
   for (int i = 0; i < 8; ++i) extent_.push_back(model().bounds.corner(Eigen::AlignedBox3d::CornerType(i)));
   buildLookup();
   buildShown();
-  levels_ = anchorLevels(object, view_rotation_);
-  buildBoxTurns();
+  levels_ = templateLevels(object, view_rotation_);
+  buildBoxRotations();
   buildHull();
 }
 
-void SearchModel::buildBoxTurns() {
+void SearchModel::buildBoxRotations() {
   const Symmetries& symmetries = model().symmetries;
   if (symmetries.sphere) return;
   std::vector<Rigid3> known = symmetries.discrete;
@@ -124,14 +124,14 @@ void SearchModel::buildBoxTurns() {
     const bool square = std::abs(a - b) < kSquare * std::max(a, b);
     for (int quarters : {2, 1, 3}) {
       if (quarters != 2 && !square) continue;
-      const Eigen::AngleAxisd turn(quarters * M_PI / 2, Eigen::Vector3d::Unit(axis));
-      const Rigid3 motion = turnAbout(model().centre(), turn.toRotationMatrix());
+      const Eigen::AngleAxisd rotation(quarters * M_PI / 2, Eigen::Vector3d::Unit(axis));
+      const Rigid3 motion = rotationAbout(model().centre(), rotation.toRotationMatrix());
       const auto same = [&](const Rigid3& other) {
-        return angleBetween(turnedTowards(model(), other, motion).rotation, motion.rotation) < kSameTurn;
+        return angleBetween(turnedTowards(model(), other, motion).rotation, motion.rotation) < kSameRotation;
       };
       if (std::any_of(known.begin(), known.end(), same)) continue;
       known.push_back(motion);
-      box_turns_.push_back(motion);
+      box_rotations_.push_back(motion);
     }
   }
 }
@@ -289,11 +289,12 @@ Rigid3 SearchModel::canonical(const Rigid3& pose, int* view) const {
     const Eigen::Vector3d d =
         (-(result.rotation.transpose() * result.translation) - model().centre()).normalized();
     if (symmetries.sphere) {
-      result = result * turnAbout(model().centre(),
-                                  Eigen::Quaterniond::FromTwoVectors(seen.direction, d).toRotationMatrix());
+      result =
+          result * rotationAbout(model().centre(),
+                                 Eigen::Quaterniond::FromTwoVectors(seen.direction, d).toRotationMatrix());
     } else {
       const SymmetryAxis& axis = *symmetries.axis;
-      result = result * turnAbout(axis, azimuth(axis, d) - meridian_);
+      result = result * rotationAbout(axis, azimuth(axis, d) - meridian_);
     }
   }
 

@@ -7,8 +7,8 @@
 #include "monocular_eye_hand/grouping/grouping.h"
 #include "monocular_eye_hand/mesh/closest_point.h"
 #include "monocular_eye_hand/model/known_object.h"
-#include "recognition/anchors.h"
 #include "recognition/coarse_score.h"
+#include "recognition/view_templates.h"
 
 namespace monocular_eye_hand {
 
@@ -25,13 +25,13 @@ class SearchModel {
 
   const KnownObject& object() const { return *object_; }
   const ObjectModel& model() const { return object_->model; }
-  const std::vector<AnchorLevel>& levels() const { return levels_; }
+  const std::vector<TemplateLevel>& levels() const { return levels_; }
   const std::vector<ModelGrouping>& groupings() const { return groupings_; }
   /// Contour samples of a view, ordered so that every prefix is spread over the whole contour.
   const std::vector<ViewSample>& samples(int view) const { return samples_[view]; }
   /// The same for the coarse score.
   const CoarseContour& coarse(int view) const { return coarse_[size_t(view)]; }
-  /// Camera orientation of a view's flat template: rows are the camera's axes in the object frame.
+  /// Camera orientation of a view's templates: rows are the camera's axes in the object frame.
   const Eigen::Matrix3d& viewRotation(int view) const { return view_rotation_[view]; }
 
   /// Of all poses that the symmetry group makes equal, the one whose eye lies in the sampled part of the view
@@ -51,11 +51,12 @@ class SearchModel {
   double poseDistance(const Camera& camera, const Rigid3& a, const Rigid3& b) const;
 
   /// Whether no point of the part lies farther from its surface under the other pose than a camera can tell
-  /// [px]: the two poses are one, whatever turn is between them.
+  /// [px]: the two poses are one, whatever rotation is between them.
   bool coincide(const Camera& camera, const Rigid3& a, const Rigid3& b, double resolved) const;
 
-  /// Turns about the centre that lay the bounding box on itself and are no symmetries: object_from_object.
-  const std::vector<Rigid3>& boxTurns() const { return box_turns_; }
+  /// Rotations about the centre that lay the bounding box on itself and are no symmetries:
+  /// object_from_object.
+  const std::vector<Rigid3>& boxRotations() const { return box_rotations_; }
 
   /// How large the part looks under a pose, along the ray to its centre.
   ViewExtent extentSeenFrom(const Rigid3& camera_from_object) const;
@@ -65,7 +66,7 @@ class SearchModel {
  private:
   void buildLookup();
   void buildShown();
-  void buildBoxTurns();
+  void buildBoxRotations();
   void buildHull();
   ViewExtent extentAlong(const Eigen::Vector3d& direction) const;
 
@@ -74,7 +75,7 @@ class SearchModel {
   std::vector<std::vector<ViewSample>> samples_;
   std::vector<CoarseContour> coarse_;
   std::vector<Eigen::Matrix3d> view_rotation_;
-  std::vector<AnchorLevel> levels_;
+  std::vector<TemplateLevel> levels_;
   struct Nearest {
     int16_t direction = 0;
     int16_t symmetry = 0;
@@ -83,7 +84,7 @@ class SearchModel {
   std::vector<std::vector<char>> shown_;  ///< of every grouping: by symmetry and direction of the lookup
   double meridian_ = 0;                   ///< azimuth of the sampled views about a free axis [rad]
   std::vector<Eigen::Vector3d> extent_;
-  std::vector<Rigid3> box_turns_;
+  std::vector<Rigid3> box_rotations_;
   std::shared_ptr<const ClosestPoint> surface_;
   std::vector<Eigen::Vector3d> hull_;  ///< vertices that are outermost in some direction
   ViewExtent largest_;

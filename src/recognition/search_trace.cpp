@@ -1,5 +1,7 @@
 #include "recognition/search_trace.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -45,8 +47,8 @@ SearchTrace::SearchTrace(const SearchImage& image, const std::vector<SearchModel
 
 SearchTrace::Traced SearchTrace::traced(const PoseProposal& pose) const {
   if (pose.object < 0 || pose.object >= int(models_.size()))
-    throw BadInput("a pose of object " + std::to_string(pose.object) + " is traced, the model base has " +
-                   std::to_string(models_.size()));
+    throw BadInput(
+        fmt::format("a pose of object {} is traced, the model base has {}", pose.object, models_.size()));
   const ObjectModel& model = models_[size_t(pose.object)].model();
   const Rigid3& camera_from_object = pose.camera_from_object;
   const Camera& camera = image_.camera;

@@ -34,13 +34,13 @@ std::optional<Rigid3> tiltedBack(const ObjectModel& model, const Rigid3& pose) {
   if (sine < std::sin(kMinTilt)) return std::nullopt;
   const double tilt = std::asin(std::min(1.0, sine));
   const double side = normal.dot(view) > 0 ? 1 : -1;
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(2 * side * tilt, axis / sine).toRotationMatrix();
-  return turnAbout(centre, turn) * pose;
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(2 * side * tilt, axis / sine).toRotationMatrix();
+  return rotationAbout(centre, rotation) * pose;
 }
 
 std::vector<Rigid3> twinPoses(const SearchModel& model, const Rigid3& pose) {
   std::vector<Rigid3> twins;
-  for (const Rigid3& motion : model.boxTurns()) twins.push_back(pose * motion);
+  for (const Rigid3& motion : model.boxRotations()) twins.push_back(pose * motion);
   if (const std::optional<Rigid3> back = tiltedBack(model.model(), pose)) twins.push_back(*back);
   return twins;
 }

@@ -1,8 +1,9 @@
 #include "recognition/verdict.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace monocular_eye_hand {
@@ -15,7 +16,7 @@ constexpr double kTwin = 0.85;
 constexpr size_t kWords = 3;            // terms told for and against
 constexpr double kWorthTelling = 0.15;  // log-odds
 
-std::string percent(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
+std::string percent(double share) { return fmt::format("{} %", int(std::lround(100 * share))); }
 
 std::vector<TermContribution> weighed(const SearchTask& task, const Candidate& candidate) {
   std::vector<TermContribution> terms =
@@ -45,28 +46,26 @@ std::vector<std::string> strongest(std::vector<TermContribution> contributions, 
 }
 
 std::string whyDecided(const Verdict& verdict, const Candidate& best, double accept_probability) {
-  std::ostringstream reason;
   switch (verdict.decision) {
     case Decision::kRejected: {
       if (!best.support.refused.empty()) return best.support.refused;
-      reason << "probability " << std::round(100 * best.probability) / 100 << " below " << accept_probability;
+      std::string reason = fmt::format("probability {:g} below {:g}",
+                                       std::round(100 * best.probability) / 100, accept_probability);
       const char* separator = ": ";
       for (const std::string& words : verdict.spoke_against) {
-        reason << separator << words;
+        reason += separator + words;
         separator = "; ";
       }
-      break;
+      return reason;
     }
     case Decision::kAmbiguous:
-      reason << verdict.alternatives.size()
-             << " other pose(s) or object(s) explain the same part of the image as well";
-      break;
+      return fmt::format("{} other pose(s) or object(s) explain the same part of the image as well",
+                         verdict.alternatives.size());
     case Decision::kAccepted:
-      reason << best.matched_groups << " of " << int(best.terms.groups) << " visible features found, "
-             << percent(best.terms.hit_ratio) << " of the contour";
       break;
   }
-  return reason.str();
+  return fmt::format("{} of {} visible features found, {} of the contour", best.matched_features,
+                     int(best.terms.groups), percent(best.terms.hit_ratio));
 }
 
 Verdict verdictOn(const SearchTask& task, const std::vector<Candidate>& candidates,

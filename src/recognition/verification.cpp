@@ -81,7 +81,7 @@ ContourTally tally(const SearchImage& image, const std::vector<SeenSample>& cont
     ++t.inside;
     t.outline += s.silhouette;
     t.outline_hits += s.silhouette && hit;
-    FeatureTally& feature = t.features[s.group];
+    FeatureTally& feature = t.features[s.feature];
     ++feature.samples;
     feature.hits += hit;
 
@@ -102,7 +102,7 @@ ContourTally tally(const SearchImage& image, const std::vector<SeenSample>& cont
 // Features with hardly any edge under them.
 void supportTerms(const ContourTally& t, Candidate* candidate) {
   int total = 0, missing = 0, length = 0, missing_length = 0;
-  for (const auto& [group, feature] : t.features) {
+  for (const auto& [index, feature] : t.features) {
     if (feature.samples * kStep < kMinFeature) continue;
     ++total;
     length += feature.samples;
@@ -110,7 +110,7 @@ void supportTerms(const ContourTally& t, Candidate* candidate) {
     ++missing;
     missing_length += feature.samples;
   }
-  candidate->matched_groups = total - missing;
+  candidate->matched_features = total - missing;
   EvidenceTerms& terms = candidate->terms;
   terms.groups = total;
   terms.unsupported = total ? double(missing) / total : 1;

@@ -14,9 +14,9 @@ WorkBudget WorkBudget::part(int parts) const {
   return part;
 }
 
-WorkBudget WorkBudget::upTo(long long most) const {
+WorkBudget WorkBudget::upTo(long long max_work) const {
   WorkBudget piece = part(1);
-  piece.limit_ = limited_ ? std::min(piece.limit_, most) : most;
+  piece.limit_ = limited_ ? std::min(piece.limit_, max_work) : max_work;
   piece.limited_ = true;
   return piece;
 }

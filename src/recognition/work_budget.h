@@ -16,7 +16,7 @@ class WorkBudget {
   /// to come. Without a limit, parts may be worked on at once.
   WorkBudget part(int parts) const;
   /// A budget for a piece of this part: no more than `most` of its work.
-  WorkBudget upTo(long long most) const;
+  WorkBudget upTo(long long max_work) const;
   /// Counts what a part of this budget has spent.
   void add(const WorkBudget& part);
   /// The same of a piece: that `most` has cut it is no news.

@@ -1,5 +1,7 @@
 #include "report/case_cards.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 
@@ -13,21 +15,11 @@ const Colour kTruthColour(255, 220, 60);      // cyan
 const Colour kCandidateColour(40, 150, 255);  // orange
 const Colour kWrongColour(90, 90, 250);       // red
 
-std::string place(int scene, int image) {
-  return "scene " + std::to_string(scene) + ", image " + std::to_string(image);
-}
+std::string place(int scene, int image) { return fmt::format("scene {}, image {}", scene, image); }
 
-std::string pixels(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, value < 100 ? "%.1f px" : "%.0f px", value);
-  return text;
-}
+std::string pixels(double value) { return fmt::format("{:.{}f} px", value, value < 100 ? 1 : 0); }
 
-std::string probabilityText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
+std::string probabilityText(double value) { return fmt::format("{:.2f}", value); }
 
 std::string fateText(const JudgedPose& pose) {
   const std::string p = " (p " + probabilityText(pose.probability) + ")";
@@ -39,10 +31,11 @@ std::string pixelsOrNone(double value) { return std::isfinite(value) ? pixels(va
 
 // How near the search came, stage by stage.
 std::string traceText(const TracedTruth& traced) {
-  return " In the search: groupings of its own " + std::to_string(traced.groupings) + "; nearest generated " +
-         pixelsOrNone(traced.generated) + ", taken " + pixelsOrNone(traced.taken) + ", aligned " +
-         pixelsOrNone(traced.aligned) + ", verified " + pixelsOrNone(traced.verified) + ", recorded " +
-         pixelsOrNone(traced.recorded) + ".";
+  return fmt::format(
+      " In the search: groupings of its own {}; nearest generated {}, taken {}, aligned {}, verified {}, "
+      "recorded {}.",
+      traced.groupings, pixelsOrNone(traced.generated), pixelsOrNone(traced.taken),
+      pixelsOrNone(traced.aligned), pixelsOrNone(traced.verified), pixelsOrNone(traced.recorded));
 }
 
 std::vector<std::pair<std::string, std::string>> termsOf(const JudgedPose& pose) {
@@ -59,7 +52,7 @@ std::vector<std::pair<std::string, std::string>> caseColours() {
           {"#fa5a5a", "wrong pose"}};
 }
 
-std::string percentText(double share) { return std::to_string(int(std::lround(100 * share))) + " %"; }
+std::string percentText(double share) { return fmt::format("{} %", int(std::lround(100 * share))); }
 
 void createFolder(const std::string& folder) {
   std::error_code error;
@@ -82,7 +75,7 @@ const ObjectModel& CaseCards::model(int object) const {
   const auto at = run_.models.find(object);
   const auto index = std::distance(run_.models.begin(), at);
   if (at == run_.models.end() || index >= std::ptrdiff_t(run_.known.objects.size()))
-    throw BadInput("report: object " + std::to_string(object) + " is not in the model base");
+    throw BadInput(fmt::format("report: object {} is not in the model base", object));
   return run_.known.objects[size_t(index)].model;
 }
 
@@ -94,7 +87,7 @@ const BopImage& CaseCards::imageOf(int scene, int image) const {
 
 std::string CaseCards::partName(int object) const {
   const auto at = run_.models.find(object);
-  return at == run_.models.end() ? "object " + std::to_string(object) : at->second.name;
+  return at == run_.models.end() ? fmt::format("object {}", object) : at->second.name;
 }
 
 double CaseCards::inFrame(const TruthOutcome& truth) const {
@@ -149,7 +142,7 @@ HtmlPage::Card CaseCards::missed(const MissedObject& missed) {
   std::vector<Outline> outlines{{&model(truth.object), truth.camera_from_object, kTruthColour}};
   HtmlPage::Card card;
   card.title = partName(truth.object) + ", " + place(truth.scene, truth.image);
-  card.badge = missed.limit.empty() ? name(missed.lost.stage) : "limit";
+  card.badge = missed.limit.empty() ? toString(missed.lost.stage) : "limit";
   card.badge_class = missed.limit.empty() ? "rejected" : "ambiguous";
   card.text = missedText(missed) + (missed.traced ? traceText(*missed.traced) : "");
   if (missed.nearest >= 0) {
@@ -157,7 +150,7 @@ HtmlPage::Card CaseCards::missed(const MissedObject& missed) {
     outlines.push_back({&model(truth.object), pose.camera_from_object, kCandidateColour});
     if (pose.right()) card.terms = termsOf(pose);
   }
-  const std::string file = "missed_" + std::to_string(missed_count_++) + ".jpg";
+  const std::string file = fmt::format("missed_{}.jpg", missed_count_++);
   return pictured(card, file, imageOf(truth.scene, truth.image), outlines);
 }
 
@@ -184,7 +177,7 @@ HtmlPage::Card CaseCards::wrong(const WrongAccept& wrong) {
   std::vector<Outline> outlines{{&model(row.object), row.camera_from_object, kWrongColour}};
   HtmlPage::Card card;
   card.title = partName(row.object) + " p " + probabilityText(row.score) + ", " + place(row.scene, row.image);
-  card.badge = name(wrong.cause);
+  card.badge = toString(wrong.cause);
   card.badge_class = "rejected";
   card.text = wrongText(wrong);
   const int shown = wrong.on >= 0 ? wrong.on : row.nearest;
@@ -193,7 +186,7 @@ HtmlPage::Card CaseCards::wrong(const WrongAccept& wrong) {
     outlines.push_back({&model(truth.object), truth.camera_from_object, kTruthColour});
   }
   if (wrong.judged >= 0) card.terms = termsOf(run_.judged[size_t(wrong.judged)]);
-  return pictured(card, "wrong_" + std::to_string(wrong_count_++) + ".jpg", image, outlines);
+  return pictured(card, fmt::format("wrong_{}.jpg", wrong_count_++), image, outlines);
 }
 
 }  // namespace monocular_eye_hand

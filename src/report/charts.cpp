@@ -1,7 +1,8 @@
 #include "report/charts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 #include "report/html.h"
 
@@ -15,11 +16,7 @@ const char* kBar = "#7aa7e0";
 const char* kAccent = "#1d4ed8";
 constexpr double kTop = 44, kLeft = 46, kRight = 16;  // margins [units of the view box]
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
+std::string number(double value) { return fmt::format("{:.1f}", value); }
 
 enum class Anchor { kStart, kMiddle, kEnd };
 
@@ -48,14 +45,14 @@ class Drawing {
     body_ += "\"/>";
   }
   void text(double x, double y, const std::string& text, Anchor anchor, double size = 12,
-            const char* colour = kSoft, double turned = 0) {
+            const char* colour = kSoft, double rotation = 0) {
     const char* side = anchor == Anchor::kStart ? "start" : anchor == Anchor::kMiddle ? "middle" : "end";
-    body_ +=
-        "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + side + "\" font-size=\"" +
-        number(size) + "\" fill=\"" + colour + "\"" +
-        (turned == 0 ? std::string()
-                     : " transform=\"rotate(" + number(turned) + " " + number(x) + " " + number(y) + ")\"") +
-        ">" + escapeHtml(text) + "</text>";
+    body_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + side +
+             "\" font-size=\"" + number(size) + "\" fill=\"" + colour + "\"" +
+             (rotation == 0
+                  ? std::string()
+                  : " transform=\"rotate(" + number(rotation) + " " + number(x) + " " + number(y) + ")\"") +
+             ">" + escapeHtml(text) + "</text>";
   }
 
   std::string svg(const std::string& title) {
@@ -104,7 +101,7 @@ std::string barChart(const std::string& title, const std::vector<ChartBar>& bars
 
   for (const double share : {0.0, 0.5, 1.0}) {
     drawing.line(kLeft, y(share), kWidth - kRight, y(share), kGrid);
-    drawing.text(kLeft - 6, y(share) + 4, std::to_string(int(100 * share)) + " %", Anchor::kEnd, 11);
+    drawing.text(kLeft - 6, y(share) + 4, fmt::format("{} %", int(100 * share)), Anchor::kEnd, 11);
   }
 
   for (size_t k = 0; k < bars.size(); ++k) {

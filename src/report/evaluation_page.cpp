@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +14,7 @@ constexpr size_t kMostSides = 12;  // parts whose sides are shown
 
 std::string fixed(double value, int digits) {
   if (!std::isfinite(value)) return "\u2013";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+  return fmt::format("{:.{}f}", value, digits);
 }
 
 std::string signedText(double value, int digits) {
@@ -24,14 +24,13 @@ std::string signedText(double value, int digits) {
 
 std::string shareText(const Share& share) {
   if (share.whole == 0) return "\u2013";
-  return percentText(share.value()) + " (" + std::to_string(share.part) + "/" + std::to_string(share.whole) +
-         ")";
+  return fmt::format("{} ({}/{})", percentText(share.value()), share.part, share.whole);
 }
 
 std::string intervalText(const Share& share) {
   if (share.whole == 0) return "\u2013";
   const Interval interval = wilson95(share);
-  return std::to_string(int(std::lround(100 * interval.low))) + "\u2013" + percentText(interval.high);
+  return fmt::format("{}\u2013{}", int(std::lround(100 * interval.low)), percentText(interval.high));
 }
 
 HtmlPage::Row scoreRow(const GroupScore& score) {
@@ -50,8 +49,8 @@ std::string barsOf(const std::string& title, const std::vector<RecallBin>& bins)
   std::vector<ChartBar> bars;
   for (const RecallBin& bin : bins) {
     const Interval interval = wilson95(bin.found);
-    bars.push_back({bin.label, std::to_string(bin.found.part) + "/" + std::to_string(bin.found.whole),
-                    bin.found.value(), interval.low, interval.high, bin.found.whole == 0});
+    bars.push_back({bin.label, fmt::format("{}/{}", bin.found.part, bin.found.whole), bin.found.value(),
+                    interval.low, interval.high, bin.found.whole == 0});
   }
   return barChart(title, bars);
 }
@@ -186,8 +185,7 @@ class EvaluationPageWriter {
       if (wanted && ++shown <= kMostSides) page_.chart(barsOf(model.name, bins), "");
     }
     page_.endGrid();
-    if (shown > kMostSides)
-      page_.paragraph(std::to_string(shown - kMostSides) + " more parts are not shown.");
+    if (shown > kMostSides) page_.paragraph(fmt::format("{} more parts are not shown.", shown - kMostSides));
   }
 
   void calibration() {
@@ -208,9 +206,9 @@ class EvaluationPageWriter {
 
     page_.beginGrid();
     page_.chart(diagonalChart("Share right over probability", "mean probability", "share right", points),
-                std::to_string(all.size()) + " candidates that were reported or rejected, in " +
-                    std::to_string(bins.size()) + " bins of equal count; expected calibration error " +
-                    fixed(calibrationError(bins), 3));
+                fmt::format("{} candidates that were reported or rejected, in {} bins of equal count; "
+                            "expected calibration error {}",
+                            all.size(), bins.size(), fixed(calibrationError(bins), 3)));
 
     const auto curve = precisionRecall(run_.judged, run_.outcomes);
     if (!curve.empty()) precisionChart(curve);
@@ -258,15 +256,14 @@ class EvaluationPageWriter {
   }
 
   void intro(size_t count, const std::string& what, const std::string& order) {
-    std::string text = std::to_string(count) + " " + what;
-    if (count > size_t(options_.cases))
-      text += "; the first " + std::to_string(options_.cases) + " are shown";
+    std::string text = fmt::format("{} {}", count, what);
+    if (count > size_t(options_.cases)) text += fmt::format("; the first {} are shown", options_.cases);
     page_.paragraph(text + (count > 1 ? ", " + order + "." : "."));
   }
 
   std::string partName(int object) const {
     const auto at = run_.models.find(object);
-    return at == run_.models.end() ? "object " + std::to_string(object) : at->second.name;
+    return at == run_.models.end() ? fmt::format("object {}", object) : at->second.name;
   }
 
   const std::string& folder_;
@@ -281,7 +278,7 @@ class EvaluationPageWriter {
 
 void EvaluationPageOptions::check() const {
   if (cases < 0 || cases > 1000)
-    throw BadInput("evaluation page options: cases = " + std::to_string(cases) + " must be 0..1000");
+    throw BadInput(fmt::format("evaluation page options: cases = {} must be 0..1000", cases));
 }
 
 std::string writeEvaluationPage(const std::string& folder, const EvaluatedRun& run,

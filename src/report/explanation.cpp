@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/report/explanation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -41,15 +42,9 @@ std::vector<StageReport> stagesByName(const std::vector<StageReport>& stages) {
   return merged;
 }
 
-std::string stageTime(double seconds) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.1f ms", 1000 * seconds);
-  return text;
-}
+std::string stageTime(double seconds) { return fmt::format("{:.1f} ms", 1000 * seconds); }
 
-std::string sizeText(const cv::Mat& image) {
-  return std::to_string(image.cols) + " x " + std::to_string(image.rows);
-}
+std::string sizeText(const cv::Mat& image) { return fmt::format("{} x {}", image.cols, image.rows); }
 
 std::string decisionText(Decision decision) {
   if (decision == Decision::kAccepted) return "accepted";
@@ -125,11 +120,10 @@ class PageWriter {
 
     std::vector<HtmlPage::Row> rows;
     for (const ObjectEstimate& object : result_.objects)
-      rows.push_back(
-          {object.name, decisionText(object.decision), shortNumber(object.probability),
-           shortNumber(object.plausibility), shortNumber(object.reliability),
-           std::to_string(object.matched_features) + " of " + std::to_string(object.expected_features),
-           poseText(object.camera_from_object)});
+      rows.push_back({object.name, decisionText(object.decision), shortNumber(object.probability),
+                      shortNumber(object.plausibility), shortNumber(object.reliability),
+                      fmt::format("{} of {}", object.matched_features, object.expected_features),
+                      poseText(object.camera_from_object)});
     page_.table({"object", "decision", "probability", "plausibility", "reliability", "features",
                  "pose in the camera"},
                 rows);
@@ -166,8 +160,8 @@ class PageWriter {
     size_t joined = 0;
     for (const LineSegment& segment : f.segments) joined += segment.joined();
     figure("segments.png", segmentsPicture(search_grey_, f),
-           count(f.segments.size() - joined, "straight segment", "straight segments") + " (yellow), " +
-               std::to_string(joined) + " joined across gaps (blue)");
+           fmt::format("{} (yellow), {} joined across gaps (blue)",
+                       count(f.segments.size() - joined, "straight segment", "straight segments"), joined));
     figure("ellipses.png", ellipsesPicture(search_grey_, f),
            count(f.arcs.size(), "elliptic arc", "elliptic arcs") + " (orange), " +
                count(f.ellipses.size(), "ellipse", "ellipses") + " fitted to them");
@@ -184,9 +178,8 @@ class PageWriter {
            "Lines that corners connect, one colour per group");
     int index = 0;
     for (const GroupingPicture& shown : groupingPictures(search_grey_, result_.features, result_.groupings))
-      figure("groupings_" + std::to_string(index++) + ".png", shown.picture,
-             std::string(name(shown.kind)) + ": " + std::to_string(shown.shown) + " of " +
-                 std::to_string(shown.total));
+      figure(fmt::format("groupings_{}.png", index++), shown.picture,
+             fmt::format("{}: {} of {}", toString(shown.kind), shown.shown, shown.total));
     page_.endGrid();
   }
 
@@ -198,14 +191,14 @@ class PageWriter {
     card.title = objectLabel(object);
     card.badge = card.badge_class = decisionText(object.decision);
     card.text = object.reason;
-    card.terms = {{"pose", poseText(object.camera_from_object)},
-                  {"standard deviation", accuracyText(object)},
-                  {"plausibility", shortNumber(object.plausibility)},
-                  {"reliability", shortNumber(object.reliability)},
-                  {"features matched", std::to_string(object.matched_features) + " of " +
-                                           std::to_string(object.expected_features)},
-                  {"groupings explained", std::to_string(object.matched_groupings)},
-                  {"characteristic view", std::to_string(object.characteristic_view)}};
+    card.terms = {
+        {"pose", poseText(object.camera_from_object)},
+        {"standard deviation", accuracyText(object)},
+        {"plausibility", shortNumber(object.plausibility)},
+        {"reliability", shortNumber(object.reliability)},
+        {"features matched", fmt::format("{} of {}", object.matched_features, object.expected_features)},
+        {"groupings explained", std::to_string(object.matched_groupings)},
+        {"characteristic view", std::to_string(object.characteristic_view)}};
 
     if (!object.symmetry.empty()) card.terms.push_back({"symmetry", object.symmetry});
     for (const std::string& words : object.spoke_for) card.terms.push_back({"speaks for it", words});
@@ -224,14 +217,13 @@ class PageWriter {
   void candidates() {
     page_.heading("Candidates", "candidates");
     const size_t shown = std::min(result_.rejected.size(), size_t(options_.rejected));
-    page_.paragraph(count(result_.objects.size(), "candidate", "candidates") + " kept, " +
-                    std::to_string(result_.rejected.size()) + " judged and rejected; the best " +
-                    std::to_string(shown) + " of those are shown.");
+    page_.paragraph(fmt::format("{} kept, {} judged and rejected; the best {} of those are shown.",
+                                count(result_.objects.size(), "candidate", "candidates"),
+                                result_.rejected.size(), shown));
     page_.beginGrid();
     for (size_t k = 0; k < result_.objects.size(); ++k)
-      candidate(result_.objects[k], "object_" + std::to_string(k) + ".png");
-    for (size_t k = 0; k < shown; ++k)
-      candidate(result_.rejected[k], "rejected_" + std::to_string(k) + ".png");
+      candidate(result_.objects[k], fmt::format("object_{}.png", k));
+    for (size_t k = 0; k < shown; ++k) candidate(result_.rejected[k], fmt::format("rejected_{}.png", k));
     page_.endGrid();
   }
 
@@ -249,7 +241,7 @@ class PageWriter {
 
 void ExplanationOptions::check() const {
   if (rejected < 0 || rejected > 1000)
-    throw BadInput("explanation options: rejected = " + std::to_string(rejected) + " must be 0..1000");
+    throw BadInput(fmt::format("explanation options: rejected = {} must be 0..1000", rejected));
 }
 
 std::string writeExplanation(const std::string& folder, const cv::Mat& grey, const Camera& camera,

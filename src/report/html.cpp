@@ -1,7 +1,8 @@
 #include "report/html.h"
 
+#include <fmt/format.h>
+
 #include <cstdint>
-#include <cstdio>
 
 namespace monocular_eye_hand {
 namespace {
@@ -89,11 +90,7 @@ std::string escapeHtml(const std::string& text) {
   return out;
 }
 
-std::string shortNumber(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof(buffer), "%.4g", value);
-  return buffer;
-}
+std::string shortNumber(double value) { return fmt::format("{:.4g}", value); }
 
 HtmlPage::HtmlPage(const std::string& title) : title_(escapeHtml(title)) {}
 

@@ -1,5 +1,7 @@
 #include "report/case_cards.h"
 
+#include <fmt/format.h>
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -22,9 +24,9 @@ std::string writeMissesPage(const std::string& folder, const EvaluatedRun& run) 
   HtmlPage page(run.title + ": what was missed and what is wrong");
   for (const std::string& note : run.notes) page.paragraph(note);
   page.heading("Causes", "causes");
-  page.paragraph(std::to_string(missed.size()) + " wanted instances (at least half visible) were missed.");
+  page.paragraph(fmt::format("{} wanted instances (at least half visible) were missed.", missed.size()));
   causeTable(causeCounts(missed), missed.size(), &page);
-  page.paragraph(std::to_string(wrong.size()) + " reported poses are wrong (10 px MSPD or more).");
+  page.paragraph(fmt::format("{} reported poses are wrong (10 px MSPD or more).", wrong.size()));
   causeTable(causeCounts(wrong), wrong.size(), &page);
 
   page.heading("Missed", "missed");

@@ -1,7 +1,8 @@
 #include "monocular_eye_hand/report/result_drawing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
 
@@ -10,9 +11,9 @@ namespace {
 
 const ObjectModel& modelOf(const ModelBase& models, const ObjectEstimate& object) {
   if (object.object < 0 || object.object >= int(models.objects.size()))
-    throw BadInput("drawing: '" + object.name + "' is object " + std::to_string(object.object) +
-                   " of a model base with " + std::to_string(models.objects.size()) +
-                   ": draw with the model base that recognised it");
+    throw BadInput(fmt::format(
+        "drawing: '{}' is object {} of a model base with {}: draw with the model base that recognised it",
+        object.name, object.object, models.objects.size()));
   return models.objects[object.object].model;
 }
 
@@ -49,9 +50,7 @@ Colour decisionColour(Decision decision) {
 }
 
 std::string objectLabel(const ObjectEstimate& object) {
-  char number[32];
-  std::snprintf(number, sizeof(number), " %.2f", object.probability);
-  return object.name + number;
+  return fmt::format("{} {:.2f}", object.name, object.probability);
 }
 
 cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& models,

@@ -1,20 +1,12 @@
 #include "monocular_eye_hand/simulation/cell_options.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-template <class T>
-void require(bool ok, const char* field, const T& value, const char* rule) {
-  if (ok) return;
-  std::ostringstream text;
-  text << field << " = " << value << " " << rule;
-  throw BadInput(text.str());
-}
 
 bool in(double value, double low, double high) { return value >= low && value <= high; }
 
@@ -48,19 +40,19 @@ void CellPose::check() const {
   const double values[] = {x, y, z, roll, pitch, yaw};
   const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
   for (int k = 0; k < 6; ++k)
-    require(in(values[k], -20, 20), names[k], values[k], "must be finite and within +-20 (metres, radians)");
+    require(in(values[k], -20, 20), names[k], values[k], "finite and within +-20 (metres, radians)");
 }
 
 void CellTexture::check() const {
   textureKind(kind);
-  require(in(scale, 1e-4, 10), "scale", scale, "must be 0.0001..10 m");
-  require(in(amplitude, 0, 1), "amplitude", amplitude, "must be 0..1");
+  require(in(scale, 1e-4, 10), "scale", scale, "0.0001..10 m");
+  require(in(amplitude, 0, 1), "amplitude", amplitude, "0..1");
 }
 
 void CellMaterial::check() const {
-  require(in(albedo, 0, 1), "albedo", albedo, "must be 0..1");
-  require(in(specular, 0, 1), "specular", specular, "must be 0..1");
-  require(in(shininess, 1, 1000), "shininess", shininess, "must be 1..1000");
+  require(in(albedo, 0, 1), "albedo", albedo, "0..1");
+  require(in(specular, 0, 1), "specular", specular, "0..1");
+  require(in(shininess, 1, 1000), "shininess", shininess, "1..1000");
 }
 
 Material CellMaterial::material() const {
@@ -83,31 +75,33 @@ CellTable::CellTable() {
 }
 
 void CellTable::check() const {
-  require(pose.roll == 0 && pose.pitch == 0, "pose", "roll or pitch", "must be 0: objects would slide off");
-  require(pose.z > 0, "pose.z", pose.z, "must be above the floor (z = 0)");
-  require(in(length, 0.1, 5), "length", length, "must be 0.1..5 m");
-  require(in(width, 0.1, 5), "width", width, "must be 0.1..5 m");
+  require(pose.roll == 0, "pose.roll", pose.roll, "0: objects would slide off");
+  require(pose.pitch == 0, "pose.pitch", pose.pitch, "0: objects would slide off");
+  require(pose.z > 0, "pose.z", pose.z, "above the floor (z = 0)");
+  require(in(length, 0.1, 5), "length", length, "0.1..5 m");
+  require(in(width, 0.1, 5), "width", width, "0.1..5 m");
   require(in(thickness, 0.001, 1) && thickness <= pose.z, "thickness", thickness,
-          "must be 0.001..1 m and end above the floor");
+          "0.001..1 m and end above the floor");
 }
 
 void CellLight::check() const {
-  require(std::isfinite(x) && std::isfinite(y), "x, y", x, "must be finite");
-  require(in(z, 0.05, 20), "z", z, "must be 0.05..20 m above the table");
-  require(in(radius, 0, 5), "radius", radius, "must be 0..5 m");
-  require(in(intensity, 0, 1000), "intensity", intensity, "must be 0..1000");
+  requireFinite("x", x);
+  requireFinite("y", y);
+  require(in(z, 0.05, 20), "z", z, "0.05..20 m above the table");
+  require(in(radius, 0, 5), "radius", radius, "0..5 m");
+  require(in(intensity, 0, 1000), "intensity", intensity, "0..1000");
 }
 
 void CellCameraOptions::check() const {
-  require(in(width, 16, 8192), "width", width, "must be 16..8192 px");
-  require(in(height, 16, 8192), "height", height, "must be 16..8192 px");
-  require(in(blur_sigma, 0, 20), "blur_sigma", blur_sigma, "must be 0..20 px");
-  require(in(noise_sigma, 0, 100), "noise_sigma", noise_sigma, "must be 0..100 grey levels");
-  require(in(shot_noise, 0, 10), "shot_noise", shot_noise, "must be 0..10");
-  require(in(exposure, 0, 1e6), "exposure", exposure, "must be >= 0 (0: automatic)");
-  require(in(gamma, 0.1, 10), "gamma", gamma, "must be 0.1..10");
+  require(in(width, 16, 8192), "width", width, "16..8192 px");
+  require(in(height, 16, 8192), "height", height, "16..8192 px");
+  require(in(blur_sigma, 0, 20), "blur_sigma", blur_sigma, "0..20 px");
+  require(in(noise_sigma, 0, 100), "noise_sigma", noise_sigma, "0..100 grey levels");
+  require(in(shot_noise, 0, 10), "shot_noise", shot_noise, "0..10");
+  require(in(exposure, 0, 1e6), "exposure", exposure, ">= 0 (0: automatic)");
+  require(in(gamma, 0.1, 10), "gamma", gamma, "0.1..10");
   const size_t n = distortion.size();
-  require(n == 0 || n == 5 || n == 8, "distortion", n, "numbers: give 0, 5 (plumb_bob) or 8 (rational)");
+  require(n == 0 || n == 5 || n == 8, "distortion", n, "0, 5 (plumb_bob) or 8 (rational) numbers");
   camera().check();
 }
 
@@ -120,9 +114,10 @@ Camera CellCameraOptions::camera() const {
 }
 
 void CellDropZone::check() const {
-  require(std::isfinite(x) && std::isfinite(y), "x, y", x, "must be finite");
-  require(in(length, 0.02, 5), "length", length, "must be 0.02..5 m");
-  require(in(width, 0.02, 5), "width", width, "must be 0.02..5 m");
+  requireFinite("x", x);
+  requireFinite("y", y);
+  require(in(length, 0.02, 5), "length", length, "0.02..5 m");
+  require(in(width, 0.02, 5), "width", width, "0.02..5 m");
 }
 
 void CellObject::check() const {
@@ -130,11 +125,11 @@ void CellObject::check() const {
 }
 
 void CellRandom::check() const {
-  require(seed >= -1, "seed", seed, "must be >= 0, or -1 for none");
-  require(in(objects, 0, 20), "objects", objects, "must be 0..20");
-  require(in(gripper_width, 0.005, 1), "gripper_width", gripper_width, "must be 0.005..1 m");
-  require(in(finger_room, 0, 0.2), "finger_room", finger_room, "must be 0..0.2 m");
-  require(in(gap, 0, 0.2), "gap", gap, "must be 0..0.2 m");
+  require(seed >= -1, "seed", seed, ">= 0, or -1 for none");
+  require(in(objects, 0, 20), "objects", objects, "0..20");
+  require(in(gripper_width, 0.005, 1), "gripper_width", gripper_width, "0.005..1 m");
+  require(in(finger_room, 0, 0.2), "finger_room", finger_room, "0..0.2 m");
+  require(in(gap, 0, 0.2), "gap", gap, "0..0.2 m");
 }
 
 CellOptions::CellOptions() {
@@ -153,19 +148,19 @@ CellOptions::CellOptions() {
 }
 
 void CellOptions::check() const {
-  require(in(ambient, 0, 100), "ambient", ambient, "must be 0..100");
-  require(in(background, 0, 100), "background", background, "must be 0..100");
-  for (double q : start_joints) require(in(q, -10, 10), "start_joints", q, "must be within +-10 rad");
-  require(in(start_width, 0, 1), "start_width", start_width, "must be 0..1 m");
-  require(in(gripper_speed, 1e-3, 10), "gripper_speed", gripper_speed, "must be 0.001..10 m/s");
-  require(in(friction, 0.01, 10), "friction", friction, "must be 0.01..10");
-  require(in(pad_compliance, 0, 0.01), "pad_compliance", pad_compliance, "must be 0..0.01 m");
-  require(in(contact_tolerance, 0, 0.01), "contact_tolerance", contact_tolerance, "must be 0..0.01 m");
-  require(in(step, 1e-4, 0.1), "step", step, "must be 0.0001..0.1 s");
+  require(in(ambient, 0, 100), "ambient", ambient, "0..100");
+  require(in(background, 0, 100), "background", background, "0..100");
+  for (double q : start_joints) require(in(q, -10, 10), "start_joints", q, "within +-10 rad");
+  require(in(start_width, 0, 1), "start_width", start_width, "0..1 m");
+  require(in(gripper_speed, 1e-3, 10), "gripper_speed", gripper_speed, "0.001..10 m/s");
+  require(in(friction, 0.01, 10), "friction", friction, "0.01..10");
+  require(in(pad_compliance, 0, 0.01), "pad_compliance", pad_compliance, "0..0.01 m");
+  require(in(contact_tolerance, 0, 0.01), "contact_tolerance", contact_tolerance, "0..0.01 m");
+  require(in(step, 1e-4, 0.1), "step", step, "0.0001..0.1 s");
   const double reach_x = std::abs(drop_zone.x) + drop_zone.length / 2,
                reach_y = std::abs(drop_zone.y) + drop_zone.width / 2;
-  require(reach_x <= table.length / 2 && reach_y <= table.width / 2, "drop_zone", "its far corner",
-          "must lie on the table");
+  if (reach_x > table.length / 2 || reach_y > table.width / 2)
+    throw BadInput("drop_zone: its far corner must lie on the table");
 }
 
 }  // namespace monocular_eye_hand

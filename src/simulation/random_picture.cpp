@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/random.h"
+#include "monocular_eye_hand/geometry/require.h"
 #include "monocular_eye_hand/simulation/random_scene.h"
 
 namespace monocular_eye_hand {
@@ -80,18 +80,12 @@ ImageSize drawSize(const std::vector<ImageSize>& sizes, uint32_t seed) {
 }
 
 void RandomPictureOptions::check() const {
-  const auto require = [](bool ok, const char* field, double value, const char* rule) {
-    if (ok) return;
-    std::ostringstream text;
-    text << "random picture options: " << field << " = " << value << " " << rule;
-    throw BadInput(text.str());
-  };
   scene.check();
-  require(width >= 32, "width", width, "must be at least 32 px");
-  require(height >= 32, "height", height, "must be at least 32 px");
-  require(min_focal > 0.1, "min_focal", min_focal, "must be above 0.1 (of the width)");
-  require(max_focal >= min_focal, "max_focal", max_focal, "must be at least min_focal");
-  require(principal_jitter >= 0, "principal_jitter", principal_jitter, "must be >= 0 px");
+  require(width >= 32, "width", width, "at least 32 px");
+  require(height >= 32, "height", height, "at least 32 px");
+  require(min_focal > 0.1, "min_focal", min_focal, "above 0.1 (of the width)");
+  require(max_focal >= min_focal, "max_focal", max_focal, "at least min_focal");
+  require(principal_jitter >= 0, "principal_jitter", principal_jitter, ">= 0 px");
 }
 
 RandomPicture randomPicture(const std::vector<NamedMesh>& models, uint32_t seed,

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <sstream>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 #include "simulation/sensor.h"
 #include "simulation/shader.h"
 #include "simulation/visibility.h"
@@ -22,25 +22,18 @@ bool differ(float a, float b, float spread = kSpread) {
 }  // namespace
 
 void RenderOptions::check() const {
-  const auto require = [](bool ok, const char* field, double value, const char* rule) {
-    if (ok) return;
-    std::ostringstream text;
-    text << "render options: " << field << " = " << value << " " << rule;
-    throw BadInput(text.str());
-  };
-
-  require(samples >= 1 && samples <= 16, "samples", samples, "must be 1..16");
-  require(edge_samples >= samples && edge_samples <= 16, "edge_samples", edge_samples, "must be samples..16");
-  require(occlusion_range > 0, "occlusion_range", occlusion_range, "must be positive");
-  require(blur_sigma >= 0 && blur_sigma < 20, "blur_sigma", blur_sigma, "must be 0..20 px");
-  require(noise_sigma >= 0 && noise_sigma < 100, "noise_sigma", noise_sigma, "must be 0..100 grey levels");
-  require(shot_noise >= 0 && shot_noise < 10, "shot_noise", shot_noise, "must be 0..10");
-  require(exposure >= 0 && std::isfinite(exposure), "exposure", exposure, "must be >= 0 (0: automatic)");
-  require(mean > 0 && mean < 1, "mean", mean, "must lie between 0 and 1");
-  require(saturated >= 0 && saturated < 1, "saturated", saturated, "must be 0..1");
-  require(vignetting >= 0 && vignetting < 1, "vignetting", vignetting, "must be 0..1");
-  require(sharpening >= 0 && sharpening <= 5, "sharpening", sharpening, "must be 0..5");
-  require(gamma > 0.1 && gamma < 10, "gamma", gamma, "must be 0.1..10");
+  require(samples >= 1 && samples <= 16, "samples", samples, "1..16");
+  require(edge_samples >= samples && edge_samples <= 16, "edge_samples", edge_samples, "samples..16");
+  require(occlusion_range > 0, "occlusion_range", occlusion_range, "positive");
+  require(blur_sigma >= 0 && blur_sigma < 20, "blur_sigma", blur_sigma, "0..20 px");
+  require(noise_sigma >= 0 && noise_sigma < 100, "noise_sigma", noise_sigma, "0..100 grey levels");
+  require(shot_noise >= 0 && shot_noise < 10, "shot_noise", shot_noise, "0..10");
+  require(exposure >= 0 && std::isfinite(exposure), "exposure", exposure, ">= 0 (0: automatic)");
+  require(mean > 0 && mean < 1, "mean", mean, "between 0 and 1");
+  require(saturated >= 0 && saturated < 1, "saturated", saturated, "0..1");
+  require(vignetting >= 0 && vignetting < 1, "vignetting", vignetting, "0..1");
+  require(sharpening >= 0 && sharpening <= 5, "sharpening", sharpening, "0..5");
+  require(gamma > 0.1 && gamma < 10, "gamma", gamma, "0.1..10");
 }
 
 namespace {

@@ -31,7 +31,7 @@ int64_t nanoseconds(double seconds) { return int64_t(std::llround(seconds * 1e9)
 
 }  // namespace
 
-const char* name(CellEvent::Kind kind) {
+std::string toString(CellEvent::Kind kind) {
   switch (kind) {
     case CellEvent::Kind::kCollision:
       return "collision";
@@ -52,7 +52,7 @@ const char* name(CellEvent::Kind kind) {
 }
 
 std::string textOf(const CellEvent& event) {
-  std::string text = secondsText(event.time) + ": " + name(event.kind) + ": " + event.first;
+  std::string text = secondsText(event.time) + ": " + toString(event.kind) + ": " + event.first;
   if (!event.second.empty())
     text += (event.kind == CellEvent::Kind::kRested ? " on " : " with ") + event.second;
   return event.text.empty() ? text : text + ", " + event.text;

@@ -5,6 +5,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/look_at.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -13,10 +14,6 @@ constexpr int kRolls = 12;
 constexpr int kDirections = 5;         // then from the first one again
 constexpr double kJointWeight = 0.25;  // of a joint's way against the departure from the wished direction
 constexpr double kMinWrist = 0.05;     // |sin q5|: nearer to the singularity the arm cannot move on
-
-void require(bool holds, const char* field, double value, const char* rule) {
-  if (!holds) throw BadInput(std::string(field) + " = " + std::to_string(value) + " must be " + rule);
-}
 
 struct Wish {
   double azimuth, elevation, distance;
@@ -53,19 +50,19 @@ double wayTo(const Rigid3& base_from_tool0, const Puma560& arm, const JointVecto
 }  // namespace
 
 void CameraViewOptions::check() const {
-  require(overview_distance > 0, "overview_distance", overview_distance, "positive");
-  require(search_distance > 0, "search_distance", search_distance, "positive");
+  requirePositive("overview_distance", overview_distance);
+  requirePositive("search_distance", search_distance);
   require(search_elevation > 0 && search_elevation <= M_PI / 2, "search_elevation", search_elevation,
           "above 0 and at most pi / 2");
-  require(near_distance > 0, "near_distance", near_distance, "positive");
+  requirePositive("near_distance", near_distance);
   require(nearest > 0 && nearest <= near_distance, "nearest", nearest, "positive and at most near_distance");
-  require(near_step >= 0, "near_step", near_step, "at least 0");
+  requireNotNegative("near_step", near_step);
   require(overview_elevation > 0 && overview_elevation <= M_PI / 2, "overview_elevation", overview_elevation,
           "above 0 and at most pi / 2");
   require(near_elevation > 0 && near_elevation <= M_PI / 2, "near_elevation", near_elevation,
           "above 0 and at most pi / 2");
-  require(std::isfinite(overview_turn), "overview_turn", overview_turn, "finite");
-  require(std::isfinite(near_turn), "near_turn", near_turn, "finite");
+  requireFinite("overview_turn", overview_turn);
+  requireFinite("near_turn", near_turn);
   require(most >= 1, "most", most, "at least 1");
 }
 

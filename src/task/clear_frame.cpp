@@ -1,8 +1,9 @@
 #include "monocular_eye_hand/task/clear_frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <utility>
 
@@ -11,13 +12,9 @@
 namespace monocular_eye_hand {
 namespace {
 
-std::string label(const MappedObject& object) { return object.name + " " + std::to_string(object.number); }
+std::string label(const MappedObject& object) { return fmt::format("{} {}", object.name, object.number); }
 
-std::string twoDigits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
+std::string twoDigits(double value) { return fmt::format("{:.2f}", value); }
 
 }  // namespace
 
@@ -44,7 +41,7 @@ TaskResult ClearFrameTask::run() {
 bool ClearFrameTask::step() {
   if (stage_ == TaskStage::kDone) return false;
   if (cancelled_ && cancelled_()) {
-    finish(TaskOutcome::kCancelled, std::string("cancelled before the stage ") + name(stage_));
+    finish(TaskOutcome::kCancelled, "cancelled before the stage " + toString(stage_));
     return false;
   }
 
@@ -72,7 +69,7 @@ bool ClearFrameTask::step() {
         break;
     }
   } catch (const std::exception& e) {
-    finish(TaskOutcome::kFault, std::string("stage ") + name(stage_) + ": " + e.what());
+    finish(TaskOutcome::kFault, "stage " + toString(stage_) + ": " + e.what());
   }
   return stage_ != TaskStage::kDone;
 }
@@ -88,7 +85,7 @@ void ClearFrameTask::lookAround() {
   view.search = frame_pose_.has_value();  // from nearer, once it is known where it stands
   view.direction = direction_ + overview_;
   const int views = result_.rounds == 1 ? options_.overviews : options_.overviews_again;
-  reportProgress("overview " + std::to_string(overview_ + 1) + " of " + std::to_string(views));
+  reportProgress(fmt::format("overview {} of {}", overview_ + 1, views));
   TaskLook seen;
   if (!look(view, &seen)) return;
   if (++overview_ < views) return;
@@ -102,8 +99,7 @@ void ClearFrameTask::search() {
   view.overview = -1;
   view.search = true;
   view.direction = ++direction_;
-  reportProgress("nothing known is left; search " + std::to_string(searches_ + 1) + " of " +
-                 std::to_string(options_.searches));
+  reportProgress(fmt::format("nothing known is left; search {} of {}", searches_ + 1, options_.searches));
   TaskLook seen;
   if (!look(view, &seen)) return;
   ++searches_;
@@ -125,7 +121,7 @@ bool ClearFrameTask::look(const TaskView& view, TaskLook* seen) {
     } else {
       finish(TaskOutcome::kFault,
              (failed_looks_ == 1 ? std::string("the look failed: ")
-                                 : std::to_string(failed_looks_) + " looks failed in a row: ") +
+                                 : fmt::format("{} looks failed in a row: ", failed_looks_)) +
                  seen->reason);
     }
     return false;
@@ -165,7 +161,7 @@ void ClearFrameTask::choose() {
       if (!plan.too_uncertain) {
         blocked.push_back(key);
       } else if (progress.near_looks >= options_.near_looks) {
-        giveUp(key, std::to_string(progress.near_looks) + " looks from near, and still: " + plan.reason);
+        giveUp(key, fmt::format("{} looks from near, and still: {}", progress.near_looks, plan.reason));
       } else if (!uncertain) {
         uncertain = key;
       }
@@ -253,7 +249,7 @@ void ClearFrameTask::confirm() {
     return;  // once more, nearer
   }
   if (!plan.too_uncertain) return setAside(key, progress.blocked);
-  giveUp(key, std::to_string(progress.near_looks) + " looks from near, and still: " + progress.blocked);
+  giveUp(key, fmt::format("{} looks from near, and still: {}", progress.near_looks, progress.blocked));
   stage_ = TaskStage::kChoose;
 }
 
@@ -291,8 +287,7 @@ void ClearFrameTask::pick() {
   std::string why;
 
   for (size_t k = 0; k < candidates_.size(); ++k) {
-    reportProgress("grasp " + std::to_string(k + 1) + " of " + std::to_string(candidates_.size()) + ", " +
-                   candidates_[k].grasp.source);
+    reportProgress(fmt::format("grasp {} of {}, {}", k + 1, candidates_.size(), candidates_[k].grasp.source));
     const ActionResult result = world_->pick(candidates_[k]);
     switch (result.outcome) {
       case ActionOutcome::kDone:
@@ -308,12 +303,12 @@ void ClearFrameTask::pick() {
         return stopped(result);
       case ActionOutcome::kUnreachable:
       case ActionOutcome::kInCollision:
-        why = std::string(name(result.outcome)) + ": " + result.reason;
+        why = toString(result.outcome) + ": " + result.reason;
     }
     if (cancelled_ && cancelled_()) return finish(TaskOutcome::kCancelled, "cancelled while picking");
   }
 
-  setAside(key, "none of " + std::to_string(candidates_.size()) + " grasps has a path; the last one: " + why);
+  setAside(key, fmt::format("none of {} grasps has a path; the last one: {}", candidates_.size(), why));
 }
 
 // Cancelled or broken in the middle of a motion: only asks what the gripper holds.
@@ -328,7 +323,7 @@ void ClearFrameTask::stopped(const ActionResult& result) {
   }
   const bool cancelled = result.outcome == ActionOutcome::kCancelled;
   finish(cancelled ? TaskOutcome::kCancelled : TaskOutcome::kFault,
-         std::string(name(stage_)) + " of " + label(entry(*chosen_).object) + ": " + result.reason);
+         toString(stage_) + " of " + label(entry(*chosen_).object) + ": " + result.reason);
 }
 
 void ClearFrameTask::verify() {
@@ -345,13 +340,13 @@ void ClearFrameTask::lostGrasp(const std::string& reason) {
   reportProgress("lost: " + reason);
   if (!opened()) return;
   if (entry(key).picks >= options_.pick_attempts)
-    giveUp(key, std::to_string(entry(key).picks) + " grasps lost; the last one: " + reason);
+    giveUp(key, fmt::format("{} grasps lost; the last one: {}", entry(key).picks, reason));
   startRound();
 }
 
 void ClearFrameTask::carry() {
   const Key key = *chosen_;
-  reportProgress("to the drop zone, place " + std::to_string(carried_));
+  reportProgress(fmt::format("to the drop zone, place {}", carried_));
   const MappedObject object = entry(key).object;
   const ActionResult result = world_->carry(object, carried_);
 
@@ -418,7 +413,7 @@ void ClearFrameTask::settleDoubts() {
     const int unseen = progress_.at({object.object.object, object.object.number}).unseen;
     const std::string why = object.reason.empty() ? "" : "; " + object.reason;
     object.outcome = ObjectOutcome::kDoubt;
-    object.reason = "one view showed it, the " + std::to_string(unseen) + " looks after it did not" + why;
+    object.reason = fmt::format("one view showed it, the {} looks after it did not{}", unseen, why);
   }
 }
 
@@ -436,7 +431,7 @@ void ClearFrameTask::finishRound() {
     }
     if (object.outcome == ObjectOutcome::kWaiting) {
       object.outcome = ObjectOutcome::kLeft;
-      object.reason = "the task ended after most_rounds = " + std::to_string(options_.most_rounds);
+      object.reason = fmt::format("the task ended after most_rounds = {}", options_.most_rounds);
     }
     if (object.outcome == ObjectOutcome::kDoubt)
       doubts += (doubts.empty() ? "; in doubt: " : ", ") + label(object.object) + " (" + object.reason + ")";
@@ -446,10 +441,10 @@ void ClearFrameTask::finishRound() {
 
   if (left > 0)
     finish(TaskOutcome::kLeftovers,
-           std::to_string(left) + " left in the frame or dropped; " + first + doubts);
+           fmt::format("{} left in the frame or dropped; {}{}", left, first, doubts));
   else
     finish(TaskOutcome::kCleared,
-           "nothing known is left in the frame; " + std::to_string(carried_) + " carried out" + doubts);
+           fmt::format("nothing known is left in the frame; {} carried out{}", carried_, doubts));
 }
 
 void ClearFrameTask::finish(TaskOutcome outcome, const std::string& reason) {

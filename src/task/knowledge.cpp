@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 // What the task knows of the frame and of what lies in it.
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/task/clear_frame.h"
@@ -12,7 +14,7 @@ void ClearFrameTask::learn(const TaskLook& seen) {
 
   for (const MappedObject& object : map_) {
     if (object.object < 0 || object.object >= int(models_->objects.size()))
-      throw BadInput("object " + std::to_string(object.object) + " is not in the model base");
+      throw BadInput(fmt::format("object {} is not in the model base", object.object));
     const Key key{object.object, object.number};
     if (progress_.count(key)) {
       TaskObject& entry = result_.objects[progress_[key].index];

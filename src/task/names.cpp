@@ -1,16 +1,13 @@
-#include <sstream>
+#include <fmt/format.h>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 #include "monocular_eye_hand/task/clear_frame.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 void requireAtLeast(const char* field, double value, double least) {
-  if (value >= least) return;
-  std::ostringstream text;
-  text << field << " = " << value << " must be " << least << " or more";
-  throw BadInput(text.str());
+  require(value >= least, field, value, fmt::format("{:g} or more", least));
 }
 
 }  // namespace
@@ -33,7 +30,7 @@ void ClearFrameOptions::check() const {
   requireAtLeast("most_rounds", most_rounds, 1);
 }
 
-const char* name(TaskStage stage) {
+std::string toString(TaskStage stage) {
   switch (stage) {
     case TaskStage::kLook:
       return "look";
@@ -53,7 +50,7 @@ const char* name(TaskStage stage) {
   return "unknown";
 }
 
-const char* name(TaskOutcome outcome) {
+std::string toString(TaskOutcome outcome) {
   switch (outcome) {
     case TaskOutcome::kCleared:
       return "cleared";
@@ -69,7 +66,7 @@ const char* name(TaskOutcome outcome) {
   return "unknown";
 }
 
-const char* name(ObjectOutcome outcome) {
+std::string toString(ObjectOutcome outcome) {
   switch (outcome) {
     case ObjectOutcome::kWaiting:
       return "waiting";

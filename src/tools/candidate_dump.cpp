@@ -22,7 +22,7 @@ void writePose(const Rigid3& pose, std::ostream* out) {
 }
 
 void writeFate(int index, const JudgedCandidate& candidate, std::ostream* out) {
-  *out << ',' << index << ',' << name(candidate.fate) << ',';
+  *out << ',' << index << ',' << toString(candidate.fate) << ',';
   if (candidate.fate == Fate::kSuppressed) *out << candidate.suppressed_by;
 
   *out << ',';
@@ -97,8 +97,8 @@ void CandidateDump::write(const std::string& path) const {
   for (const Row& row : rows_) {
     const JudgedCandidate& c = row.candidate;
     file << row.scene << ',' << row.image << ',' << row.bop_object << ',' << c.name << ','
-         << (c.fate == Fate::kSuppressed ? "" : name(c.fate)) << ',' << c.probability << ',' << c.plausibility
-         << ',' << c.reliability << ',';
+         << (c.fate == Fate::kSuppressed ? std::string() : toString(c.fate)) << ',' << c.probability << ','
+         << c.plausibility << ',' << c.reliability << ',';
     if (row.truth >= 0)
       file << row.truth << ',' << row.errors.mspd << ',' << row.errors.mssd << ',' << row.visible;
     else

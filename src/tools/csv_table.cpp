@@ -1,5 +1,7 @@
 #include "tools/csv_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -33,9 +35,8 @@ CsvTable::CsvTable(const std::string& path) : path_(path) {
     if (line.empty()) continue;
     rows_.push_back(fieldsOf(line));
     if (rows_.back().size() != columns_.size())
-      throw BadInput(path + ", line " + std::to_string(rows_.size() + 1) + ": " +
-                     std::to_string(rows_.back().size()) + " fields, the first line names " +
-                     std::to_string(columns_.size()));
+      throw BadInput(fmt::format("{}, line {}: {} fields, the first line names {}", path, rows_.size() + 1,
+                                 rows_.back().size(), columns_.size()));
   }
 }
 
@@ -56,8 +57,8 @@ double CsvTable::number(size_t row, int column, double absent) const {
   char* end = nullptr;
   const double value = std::strtod(field.c_str(), &end);
   if (end != field.c_str() + field.size())
-    throw BadInput(path_ + ", line " + std::to_string(row + 2) + ", " + columns_[size_t(column)] + ": '" +
-                   field + "' is no number");
+    throw BadInput(
+        fmt::format("{}, line {}, {}: '{}' is no number", path_, row + 2, columns_[size_t(column)], field));
   return value;
 }
 

@@ -1,5 +1,7 @@
 #include "tools/decision_fit.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -124,17 +126,16 @@ std::map<std::string, int> foldOfPart(const std::vector<JudgedSample>& samples, 
 }  // namespace
 
 void DecisionFitOptions::check() const {
-  if (!(ridge >= 0))
-    throw BadInput("decision fit: ridge = " + std::to_string(ridge) + " must not be negative");
-  if (folds < 2) throw BadInput("decision fit: folds = " + std::to_string(folds) + " must be at least 2");
+  if (!(ridge >= 0)) throw BadInput(fmt::format("decision fit: ridge = {:g} must not be negative", ridge));
+  if (folds < 2) throw BadInput(fmt::format("decision fit: folds = {} must be at least 2", folds));
 }
 
 DecisionWeights fitDecision(const std::vector<JudgedSample>& samples, const DecisionFitOptions& options) {
   options.check();
   const auto right = std::count_if(samples.begin(), samples.end(), [](const auto& s) { return s.right; });
   if (right == 0 || right == long(samples.size()))
-    throw BadInput("of " + std::to_string(samples.size()) + " candidates " + std::to_string(right) +
-                   " are right: a fit needs right and wrong ones");
+    throw BadInput(fmt::format("of {} candidates {} are right: a fit needs right and wrong ones",
+                               samples.size(), right));
 
   const Regression r = standardised(samples);
   const Eigen::VectorXd solution = solve(r, options.ridge);

@@ -13,7 +13,8 @@ struct DemoScene {
   bool distorted = false;  ///< taken through the wide-angle lens
 };
 
-/// The pictures of data/demo: the seed's figure 9 (two bridges and a grenade), and others for a first look.
+/// The pictures of data/demo: figure 9 of Wong et al. (two bridges and a grenade), and others for a first
+/// look.
 std::vector<DemoScene> demoScenes(const std::vector<NamedMesh>& models);
 /// The pictures of data/golden: each model alone, a distorted one, an occluded one, one with nothing known.
 std::vector<DemoScene> goldenScenes(const std::vector<NamedMesh>& models);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 // Runs the recogniser over a data set of the BOP format, writes BOP results and prints the scores.
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -106,8 +108,9 @@ std::vector<PoseProposal> truePoses(const BopImage& image, const std::vector<int
 std::optional<SupportPlane> supportPlane(const Arguments& args, const BopImage& image) {
   if (!args.support) return std::nullopt;
   if (!image.camera_from_world)
-    throw BadInput("--support: scene " + std::to_string(image.scene) + ", image " + std::to_string(image.id) +
-                   " has no cam_R_w2c and cam_t_w2c in scene_camera.json");
+    throw BadInput(
+        fmt::format("--support: scene {}, image {} has no cam_R_w2c and cam_t_w2c in scene_camera.json",
+                    image.scene, image.id));
   SupportPlane plane;
   plane.normal = image.camera_from_world->rotation.col(2).normalized();
   plane.offset = plane.normal.dot(image.camera_from_world->translation);
@@ -148,10 +151,8 @@ Run recognizeAll(const Arguments& args, const BopSplit& split, const BopModels& 
     for (const TracedTruth& traced : tracedTruths(result.traces, image, truths, args.scale))
       run.traced.push_back(traced);
 
-    char text[100];
-    std::snprintf(text, sizeof text, "scene %d image %d: %zu objects in %.3f s", image.scene, image.id,
-                  result.objects.size(), seconds);
-    progress.step(text);
+    progress.step(fmt::format("scene {} image {}: {} objects in {:.3f} s", image.scene, image.id,
+                              result.objects.size(), seconds));
   }
   return run;
 }
@@ -176,8 +177,8 @@ void keepImagesOf(const std::vector<BopTarget>& targets, BopSplit* split) {
   for (const BopTarget& target : targets) {
     keys.emplace(target.scene, target.image);
     if (!split->find(target.scene, target.image))
-      throw BadInput("the targets name scene " + std::to_string(target.scene) + ", image " +
-                     std::to_string(target.image) + ", which the split does not have");
+      throw BadInput(fmt::format("the targets name scene {}, image {}, which the split does not have",
+                                 target.scene, target.image));
   }
   std::vector<BopImage> kept;
   for (BopImage& image : split->images)
@@ -200,12 +201,12 @@ void printScores(const BopSplit& split, const BopModels& models, const Run& run,
 }
 
 std::vector<std::string> notesOf(const Arguments& args, const BopSplit& split) {
-  std::string text = std::to_string(split.images.size()) + " images of " + args.dataset + ", split " +
-                     args.split + ". Recognition with the default options";
+  std::string text = fmt::format("{} images of {}, split {}. Recognition with the default options",
+                                 split.images.size(), args.dataset, args.split);
   if (!args.options.empty()) text += ", then those of " + args.options;
   for (const std::string& setting : args.settings) text += ", " + setting;
   text += ".";
-  if (args.scale != 1) text += " Images resized by " + std::to_string(args.scale) + ".";
+  if (args.scale != 1) text += fmt::format(" Images resized by {:g}.", args.scale);
   if (!args.warp.empty()) text += " Images seen through a lens (--warp).";
   return {text};
 }
@@ -240,7 +241,7 @@ void writePages(const Arguments& args, const BopSplit& split, const BopModels& m
 }
 
 void check(const Arguments& args) {
-  if (!(args.scale > 0)) throw BadInput("--scale " + std::to_string(args.scale) + " must be positive");
+  if (!(args.scale > 0)) throw BadInput(fmt::format("--scale {:g} must be positive", args.scale));
   if (!args.compare.empty() && args.report.empty())
     throw BadInput("--compare is shown in the report: give --report DIR too");
   const auto folder = [](const std::string& path) { return (fs::path(path) / "").lexically_normal(); };

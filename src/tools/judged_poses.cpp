@@ -1,6 +1,6 @@
 #include "tools/judged_poses.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace monocular_eye_hand {
 namespace {
@@ -27,12 +27,10 @@ std::string rejection(const RecognitionResult& result, const JudgedCandidate& ca
 }
 
 std::string suppression(const JudgedCandidate& candidate, const JudgedCandidate& by) {
-  char text[120];
-  std::snprintf(text, sizeof text, " at p %.2f, rank %.3g over %.3g", by.probability, by.rank_score,
-                candidate.rank_score);
   const bool same = by.object == candidate.object;
-  return (same ? "another pose of it" : "a " + by.name) + text +
-         (by.fate == Fate::kRejected ? ", which was then rejected" : "");
+  return fmt::format("{} at p {:.2f}, rank {:.3g} over {:.3g}{}",
+                     same ? "another pose of it" : "a " + by.name, by.probability, by.rank_score,
+                     candidate.rank_score, by.fate == Fate::kRejected ? ", which was then rejected" : "");
 }
 
 std::string whatSpokeAgainst(const RecognitionResult& result, const JudgedCandidate& candidate) {

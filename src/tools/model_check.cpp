@@ -1,9 +1,10 @@
+#include <fmt/format.h>
+
 // What the package sees in CAD files: size, surfaces, edges, circles, symmetries, views, warnings, and a
 // picture.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -38,7 +39,7 @@ std::string nameOf(const std::string& path, const std::vector<ObjectEntry>& take
   std::string name = stem;
   for (int n = 2;
        std::any_of(taken.begin(), taken.end(), [&](const ObjectEntry& e) { return e.name == name; }); ++n) {
-    name = stem + "_" + std::to_string(n);
+    name = fmt::format("{}_{}", stem, n);
   }
   return name;
 }
@@ -60,21 +61,15 @@ std::vector<ObjectEntry> entriesOf(const Arguments& arguments) {
   return entries;
 }
 
-std::string text(const char* format, double a, double b = 0, double c = 0) {
-  char line[160];
-  std::snprintf(line, sizeof line, format, a, b, c);
-  return line;
-}
-
 std::string symmetryText(const Symmetries& s) {
   if (s.sphere) return "sphere: every rotation about its centre";
   const std::string poses =
-      std::to_string(s.discrete.size()) + (s.discrete.size() == 1 ? " pose" : " equal poses");
+      fmt::format("{}{}", s.discrete.size(), s.discrete.size() == 1 ? " pose" : " equal poses");
   if (!s.axis) return s.discrete.size() == 1 ? "none" : poses;
   const Eigen::Vector3d &d = s.axis->direction, p = 1000 * s.axis->point;
-  return "free about the axis " + text("(%.4g, %.4g, %.4g)", d.x() + 0.0, d.y() + 0.0, d.z() + 0.0) +
-         " through " + text("(%.3f, %.3f, %.3f) mm", p.x(), p.y(), p.z()) +
-         (s.discrete.size() > 1 ? ", and a flip" : "");
+  return fmt::format("free about the axis ({:.4g}, {:.4g}, {:.4g}) through ({:.3f}, {:.3f}, {:.3f}) mm{}",
+                     d.x() + 0.0, d.y() + 0.0, d.z() + 0.0, p.x(), p.y(), p.z(),
+                     s.discrete.size() > 1 ? ", and a flip" : "");
 }
 
 int count(const ObjectModel& m, Surface::Kind kind) {
@@ -100,27 +95,25 @@ std::vector<std::string> describe(const KnownObject& object) {
 
   std::vector<std::string> lines;
   lines.push_back(m.name);
-  lines.push_back("  size        " + text("%.2f x %.2f x %.2f mm", size.x(), size.y(), size.z()) +
-                  text(", diameter %.2f mm", 1000 * m.diameter));
-  lines.push_back("  lowest      " + text("(%.2f, %.2f, %.2f) mm", low.x(), low.y(), low.z()));
-  lines.push_back("  mesh        " + std::to_string(m.mesh.triangles.size()) + " triangles, " +
-                  std::to_string(m.mesh.vertices.size()) + " vertices, " + (m.closed ? "closed" : "open"));
+  lines.push_back(fmt::format("  size        {:.2f} x {:.2f} x {:.2f} mm, diameter {:.2f} mm", size.x(),
+                              size.y(), size.z(), 1000 * m.diameter));
+  lines.push_back(fmt::format("  lowest      ({:.2f}, {:.2f}, {:.2f}) mm", low.x(), low.y(), low.z()));
+  lines.push_back(fmt::format("  mesh        {} triangles, {} vertices, {}", m.mesh.triangles.size(),
+                              m.mesh.vertices.size(), m.closed ? "closed" : "open"));
 
-  lines.push_back("  faces       " + std::to_string(count(m, Surface::Kind::kPlane)) + " planes, " +
-                  std::to_string(count(m, Surface::Kind::kCylinder)) + " cylinders, " +
-                  std::to_string(count(m, Surface::Kind::kFreeform)) + " free forms");
-  lines.push_back("  edges       " + std::to_string(m.edges.size()) + " straight, " +
-                  std::to_string(m.corners.size()) + " corners");
-  lines.push_back("  circles     " + std::to_string(full) + " full, " +
-                  std::to_string(m.circles.size() - full) + " arcs");
+  lines.push_back(fmt::format("  faces       {} planes, {} cylinders, {} free forms",
+                              count(m, Surface::Kind::kPlane), count(m, Surface::Kind::kCylinder),
+                              count(m, Surface::Kind::kFreeform)));
+  lines.push_back(fmt::format("  edges       {} straight, {} corners", m.edges.size(), m.corners.size()));
+  lines.push_back(fmt::format("  circles     {} full, {} arcs", full, m.circles.size() - full));
   if (rounded(m.edges) + rounded(m.circles) > 0)
-    lines.push_back("  of these    " + std::to_string(rounded(m.edges)) + " edges and " +
-                    std::to_string(rounded(m.circles)) + " circles or arcs are rounded");
+    lines.push_back(fmt::format("  of these    {} edges and {} circles or arcs are rounded", rounded(m.edges),
+                                rounded(m.circles)));
 
   lines.push_back("  symmetry    " + symmetryText(m.symmetries));
-  lines.push_back("  views       " + std::to_string(object.views.directions) + " directions x " +
-                  std::to_string(object.views.distances.size()) + " distances, " +
-                  std::to_string(object.views.characteristic.size()) + " characteristic views");
+  lines.push_back(fmt::format("  views       {} directions x {} distances, {} characteristic views",
+                              object.views.directions, object.views.distances.size(),
+                              object.views.characteristic.size()));
   for (const std::string& w : m.warnings) lines.push_back("  warning     " + w);
   return lines;
 }

@@ -74,8 +74,8 @@ void drawFeatures(const ObjectModel& model, const View& view, cv::Mat* picture) 
   options.min_dihedral = 0;
   for (const ContourSample& s : visibleContour(model, view.eye, options)) {
     const Eigen::Vector3d half = 0.55 * options.step * s.tangent;
-    const bool edge = s.group < model.groupOfCircle(0),
-               circle = !edge && s.group < model.groupOfSilhouette(0);
+    const bool edge = s.feature < model.featureOfCircle(0),
+               circle = !edge && s.feature < model.featureOfSilhouette(0);
     cv::line(*picture, fixed(view.project(s.p - half)), fixed(view.project(s.p + half)),
              edge     ? kEdge
              : circle ? kCircle

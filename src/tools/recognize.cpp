@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 // Recognises the known objects in images, without ROS.
 #include <unistd.h>
 
@@ -36,8 +38,8 @@ struct Arguments {
 
 RecognitionOptions effectiveOptions(const Arguments& args) {
   std::vector<std::string> settings = args.settings;
-  if (args.time_limit_s >= 0) settings.push_back("time_limit=" + std::to_string(args.time_limit_s));
-  if (args.budget >= 0) settings.push_back("budget=" + std::to_string(args.budget));
+  if (args.time_limit_s >= 0) settings.push_back(fmt::format("time_limit={}", args.time_limit_s));
+  if (args.budget >= 0) settings.push_back(fmt::format("budget={}", args.budget));
   return recognitionOptions(args.options, settings, args.decision);
 }
 
@@ -64,7 +66,7 @@ class OutputNames {
     for (const std::string& image : images) {
       const std::string stem = fs::path(image).stem().string();
       const int count = ++seen[stem];
-      names_.push_back(count == 1 ? stem : stem + "_" + std::to_string(count));
+      names_.push_back(count == 1 ? stem : fmt::format("{}_{}", stem, count));
     }
   }
   std::string file(const std::string& path, size_t image) const {

@@ -1,7 +1,8 @@
+#include <fmt/format.h>
+
 // Renders scenes with known truth: the pictures that ship with the package, or random ones.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
@@ -57,12 +58,11 @@ std::vector<meh::DemoScene> chooseScenes(const Arguments& arguments) {
   if (arguments.set == "golden") return meh::goldenScenes(meshes);
   std::vector<meh::DemoScene> scenes;
   for (int k = 0; k < arguments.count; ++k) {
-    char name[32];
-    std::snprintf(name, sizeof(name), "%06d", k);
     meh::RandomSceneOptions options;
     options.level = levelOf(arguments.level);
     if (arguments.appearance == "mixed") options.appearance = meh::Appearance::kMixed;
-    scenes.push_back({name, meh::randomScene(meshes, arguments.seed + unsigned(k), options)});
+    scenes.push_back(
+        {fmt::format("{:06}", k), meh::randomScene(meshes, arguments.seed + unsigned(k), options)});
   }
   return scenes;
 }

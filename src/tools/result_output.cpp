@@ -1,8 +1,9 @@
 #include "tools/result_output.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace monocular_eye_hand {
 namespace {
@@ -20,11 +21,10 @@ Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& r) {
 std::string objectLine(const ObjectEstimate& object, size_t name_width) {
   const Eigen::Vector3d t = object.camera_from_object.translation * 1e3;
   const Eigen::Vector3d rpy = rollPitchYaw(object.camera_from_object.rotation) * (180 / M_PI);
-  char text[256];
-  std::snprintf(text, sizeof text, "  %-*s %8.1f %8.1f %8.1f  %7.1f %7.1f %7.1f  %11.3f  %s", int(name_width),
-                object.name.c_str(), t.x(), t.y(), t.z(), rpy.x(), rpy.y(), rpy.z(), object.probability,
-                name(object.decision));
-  return text + (object.symmetry.empty() ? "" : ", " + object.symmetry) + "\n";
+  return fmt::format("  {:<{}} {:8.1f} {:8.1f} {:8.1f}  {:7.1f} {:7.1f} {:7.1f}  {:11.3f}  {}{}\n",
+                     object.name, name_width, t.x(), t.y(), t.z(), rpy.x(), rpy.y(), rpy.z(),
+                     object.probability, toString(object.decision),
+                     object.symmetry.empty() ? "" : ", " + object.symmetry);
 }
 
 Json list(const double* values, size_t count) {
@@ -43,7 +43,7 @@ Json objectJson(const ObjectEstimate& object, const ModelBase& models) {
   const Eigen::Matrix<double, 6, 6, Eigen::RowMajor> covariance = object.covariance;
   Json out;
   out["name"] = object.name;
-  out["decision"] = name(object.decision);
+  out["decision"] = toString(object.decision);
   out["probability"] = object.probability;
   out["plausibility"] = object.plausibility;
   out["reliability"] = object.reliability;
@@ -78,13 +78,11 @@ Json objectJson(const ObjectEstimate& object, const ModelBase& models) {
 std::string table(const ImageReport& report) {
   if (!report.error.empty()) return report.image + "\n  not processed: " + report.error + "\n";
   const auto& objects = report.result.objects;
-  char head[100];
-  std::snprintf(head, sizeof head, ": %zu object%s in %.2f s%s\n", objects.size(),
-                objects.size() == 1 ? "" : "s", report.seconds,
-                report.result.truncated      ? " (truncated by the time limit)"
-                : report.result.budget_spent ? " (cut by the budget of hypotheses)"
-                                             : "");
-  std::string text = report.image + head;
+  const char* cut = report.result.truncated      ? " (truncated by the time limit)"
+                    : report.result.budget_spent ? " (cut by the budget of hypotheses)"
+                                                 : "";
+  std::string text = fmt::format("{}: {} object{} in {:.2f} s{}\n", report.image, objects.size(),
+                                 objects.size() == 1 ? "" : "s", report.seconds, cut);
   if (objects.empty()) return text + "  nothing found: " + report.result.reason + "\n";
   size_t width = 4;
   for (const ObjectEstimate& object : objects) width = std::max(width, object.name.size());

@@ -6,24 +6,14 @@
 #include <set>
 
 #include "allocation_count.h"
-#include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
 #include "random_arm.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 using testing::HasSubstr;
-
-template <class F>
-std::string messageOf(F&& f) {
-  try {
-    f();
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "no BadInput";
-}
 
 /// As turns count: q and q + 2 pi are one angle, but not one joint value.
 double largestDifference(const JointVector& a, const JointVector& b) { return (a - b).cwiseAbs().maxCoeff(); }
@@ -87,9 +77,9 @@ TEST(Puma560, InverseFindsTheJointsItCameFromWithTheirBranch) {
     arm.inverse(arm.baseFromTool0(q), JointVector::Zero(), &found);
     int same = 0;
     for (const ArmSolution& solution : found) {
-      EXPECT_EQ(name(arm.branch(solution.joints)), name(solution.branch));
+      EXPECT_EQ(toString(arm.branch(solution.joints)), toString(solution.branch));
       EXPECT_TRUE(arm.withinLimits(solution.joints));
-      seen.insert(name(solution.branch));
+      seen.insert(toString(solution.branch));
       if (largestDifference(solution.joints, q) < 1e-9) ++same;
     }
     EXPECT_EQ(same, 1) << q.transpose();
@@ -178,15 +168,15 @@ TEST(Puma560, RefusesWhatIsNoPose) {
   const JointVector zero = JointVector::Zero();
   Rigid3 pose;
   pose.translation.x() = NAN;
-  EXPECT_THAT(messageOf([&] { arm.inverse(pose, zero, &found); }), HasSubstr("the pose is not finite"));
+  EXPECT_THAT(refusal([&] { arm.inverse(pose, zero, &found); }), HasSubstr("the pose is not finite"));
   pose = Rigid3();
   pose.rotation *= 1.001;
-  EXPECT_THAT(messageOf([&] { arm.inverse(pose, zero, &found); }), HasSubstr("no rotation"));
+  EXPECT_THAT(refusal([&] { arm.inverse(pose, zero, &found); }), HasSubstr("no rotation"));
   pose.rotation = Eigen::Vector3d(1, 1, -1).asDiagonal();
-  EXPECT_THAT(messageOf([&] { arm.inverse(pose, zero, &found); }), HasSubstr("no rotation"));
+  EXPECT_THAT(refusal([&] { arm.inverse(pose, zero, &found); }), HasSubstr("no rotation"));
   pose = Rigid3();
   const JointVector nan = JointVector::Constant(NAN);
-  EXPECT_THAT(messageOf([&] { arm.inverse(pose, nan, &found); }), HasSubstr("current joint angles"));
+  EXPECT_THAT(refusal([&] { arm.inverse(pose, nan, &found); }), HasSubstr("current joint angles"));
   EXPECT_FALSE(arm.withinLimits(nan));
 }
 
@@ -195,28 +185,29 @@ TEST(Puma560, BranchNames) {
     for (Elbow elbow : {Elbow::kUp, Elbow::kDown})
       for (Wrist wrist : {Wrist::kPositive, Wrist::kNegative}) {
         const Branch branch{shoulder, elbow, wrist};
-        EXPECT_EQ(branchOf(name(branch)), branch);
+        EXPECT_EQ(branchOf(toString(branch)), branch);
       }
-  EXPECT_EQ(name({Shoulder::kLeft, Elbow::kDown, Wrist::kNegative}), "left-down-negative");
-  EXPECT_THAT(messageOf([] { branchOf("lefty"); }), HasSubstr("'lefty' is no branch"));
+  EXPECT_EQ(toString({Shoulder::kLeft, Elbow::kDown, Wrist::kNegative}), "left-down-negative");
+  EXPECT_THAT(refusal([] { branchOf("lefty"); }), HasSubstr("'lefty' is no branch"));
 }
 
 TEST(Puma560Options, CheckNamesFieldValueAndRule) {
-  const auto refusal = [](auto&& change) {
+  const auto refusalAfter = [](auto&& change) {
     Puma560Options options;
     change(options);
-    return messageOf([&] { Puma560{options}; });
+    return refusal([&] { Puma560{options}; });
   };
-  EXPECT_EQ(refusal([](Puma560Options&) {}), "no BadInput");
-  EXPECT_THAT(refusal([](auto& o) { o.d6 = -0.1; }), HasSubstr("d6 = -0.1 must be at least 0 m"));
-  EXPECT_THAT(refusal([](auto& o) { o.a2 = 0; }), HasSubstr("a2 = 0 must be at least 0.01 m"));
-  EXPECT_THAT(refusal([](auto& o) { o.d4 = NAN; }), HasSubstr("d4 = nan must be finite"));
-  EXPECT_THAT(refusal([](auto& o) { o.joints[2].upper = -5; }),
+  EXPECT_EQ(refusalAfter([](Puma560Options&) {}), kAccepted);
+  EXPECT_THAT(refusalAfter([](auto& o) { o.d6 = -0.1; }), HasSubstr("d6 = -0.1 must be at least 0 m"));
+  EXPECT_THAT(refusalAfter([](auto& o) { o.a2 = 0; }), HasSubstr("a2 = 0 must be at least 0.01 m"));
+  EXPECT_THAT(refusalAfter([](auto& o) { o.d4 = NAN; }), HasSubstr("d4 = nan must be finite"));
+  EXPECT_THAT(refusalAfter([](auto& o) { o.joints[2].upper = -5; }),
               HasSubstr("joints[2].upper = -5 must be above"));
-  EXPECT_THAT(refusal([](auto& o) { o.joints[5].upper = 13; }), HasSubstr("at most 2 turns"));
-  EXPECT_THAT(refusal([](auto& o) { o.joints[4].upper = 5; }), HasSubstr("less than one turn"));
-  EXPECT_THAT(refusal([](auto& o) { o.joints[0].velocity = 0; }), HasSubstr("joints[0].velocity"));
-  EXPECT_THAT(refusal([](auto& o) { o.joints[0].acceleration = -1; }), HasSubstr("joints[0].acceleration"));
+  EXPECT_THAT(refusalAfter([](auto& o) { o.joints[5].upper = 13; }), HasSubstr("at most 2 turns"));
+  EXPECT_THAT(refusalAfter([](auto& o) { o.joints[4].upper = 5; }), HasSubstr("less than one turn"));
+  EXPECT_THAT(refusalAfter([](auto& o) { o.joints[0].velocity = 0; }), HasSubstr("joints[0].velocity"));
+  EXPECT_THAT(refusalAfter([](auto& o) { o.joints[0].acceleration = -1; }),
+              HasSubstr("joints[0].acceleration"));
 }
 
 TEST(Puma560Options, ReadsAndWritesTrees) {

@@ -1,16 +1,10 @@
 #pragma once
 #include <cmath>
-#include <random>
 
 #include "monocular_eye_hand/arm/puma560.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
-
-using Random = std::mt19937_64;
-
-inline double uniform(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
 
 inline JointVector randomJoints(Random& random, const Puma560Options& options) {
   JointVector q;

@@ -10,14 +10,13 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/build_model.h"
+#include "support/camera.h"
 
 using namespace monocular_eye_hand;
 
 namespace {
 
-Camera lens() {
-  return {640, 480, 620, 621, 322.7, 236.4, DistortionModel::kPlumbBob, {-0.28, 0.08, 0.001, -0.0005, 0}};
-}
+Camera lens() { return withWebcamLens({640, 480, 620, 621, 322.7, 236.4, DistortionModel::kNone, {}}); }
 
 cv::Mat greyImage() { return cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)); }
 

@@ -30,7 +30,7 @@ class Breakdown : public testing::Test {
   const ImageTimes times_{{{1, 0}, 1.0}, {{1, 1}, 2.0}};
 };
 
-TEST_F(Breakdown, truth_and_rows_are_matched_and_measured) {
+TEST_F(Breakdown, TruthAndRowsAreMatchedAndMeasured) {
   const RunOutcomes outcomes = run_.outcomes();
   ASSERT_EQ(outcomes.truths.size(), 4u);
   ASSERT_EQ(outcomes.rows.size(), 3u);
@@ -47,7 +47,7 @@ TEST_F(Breakdown, truth_and_rows_are_matched_and_measured) {
   EXPECT_EQ(outcomes.rows[2].nearest, -1);
 }
 
-TEST_F(Breakdown, scores_by_scene_by_part_and_of_all) {
+TEST_F(Breakdown, ScoresBySceneByPartAndOfAll) {
   const auto scenes = scoresByScene(run_.split, run_.outcomes(), times_);
   ASSERT_EQ(scenes.size(), 2u);
   EXPECT_EQ(scenes[0].name, "scene 1");
@@ -78,7 +78,7 @@ TEST_F(Breakdown, scores_by_scene_by_part_and_of_all) {
   EXPECT_EQ(all.right.whole, 3);
 }
 
-TEST_F(Breakdown, recall_in_bins) {
+TEST_F(Breakdown, RecallInBins) {
   const RunOutcomes outcomes = run_.outcomes();
   const auto visible = recallByVisibility(outcomes);
   ASSERT_EQ(visible.size(), 5u) << "10-30 % up to 90-100 %";
@@ -110,14 +110,14 @@ TEST_F(Breakdown, recall_in_bins) {
   EXPECT_EQ(sides[4].found.whole, 0);
 }
 
-TEST_F(Breakdown, nothing_wanted_gives_no_bins) {
+TEST_F(Breakdown, NothingWantedGivesNoBins) {
   const RunOutcomes none;
   EXPECT_TRUE(recallByVisibility(none).empty());
   EXPECT_TRUE(recallBySize(none).empty());
   EXPECT_TRUE(recallByDistance(none).empty());
 }
 
-TEST_F(Breakdown, precision_over_recall_goes_down_the_list) {
+TEST_F(Breakdown, PrecisionOverRecallGoesDownTheList) {
   run_.judge(1, 0, 1, 0.9, at(0, 0, 1000), JudgedPose::kReported);
   run_.judge(1, 0, 1, 0.8, at(1, 0, 1000), JudgedPose::kReported);  // a double: right, nothing new
   run_.judge(1, 1, 2, 0.6, at(0, 0, 1500), JudgedPose::kReported);  // wrong
@@ -140,7 +140,7 @@ TEST_F(Breakdown, precision_over_recall_goes_down_the_list) {
   EXPECT_EQ(std::count_if(claimed.begin(), claimed.end(), [](const Prediction& p) { return p.right; }), 4);
 }
 
-TEST_F(Breakdown, two_runs_are_compared_instance_by_instance) {
+TEST_F(Breakdown, TwoRunsAreComparedInstanceByInstance) {
   MadeUpRun other = run_;
   other.results = {{1, 0, 2, 0.9, at(150, 0, 1000), 0.5}, {1, 1, 1, 0.9, at(0, 0, 2000), 0.5}};
   const RunComparison comparison = compareRuns(run_.split, run_.outcomes(), times_, other.outcomes(), times_);

@@ -32,7 +32,7 @@ class Causes : public testing::Test {
   std::vector<TracedTruth> traced_;
 };
 
-TEST_F(Causes, a_right_candidate_that_was_rejected_says_by_what) {
+TEST_F(Causes, ARightCandidateThatWasRejectedSaysByWhat) {
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
   run_.judge(1, 0, 1, 0.2, at(1, 0, 1000), JudgedPose::kRejected, "a nearer one that is less probable");
   run_.judge(1, 0, 1, 0.4, at(2, 0, 1000), JudgedPose::kRejected,
@@ -47,7 +47,7 @@ TEST_F(Causes, a_right_candidate_that_was_rejected_says_by_what) {
   EXPECT_EQ(all[0].cause, "rejected: share of its corners past which edges run on");
 }
 
-TEST_F(Causes, suppressed_near_and_far_candidates) {
+TEST_F(Causes, SuppressedNearAndFarCandidates) {
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
   MadeUpRun::truth(&run_.image(1, 1), 1, at(0, 0, 1000));
   MadeUpRun::truth(&run_.image(1, 2), 1, at(0, 0, 1000));
@@ -73,13 +73,13 @@ TEST_F(Causes, suppressed_near_and_far_candidates) {
   EXPECT_EQ(counts[0].cause, all[2].cause);
 }
 
-TEST_F(Causes, a_rejection_without_a_known_reason_is_counted_as_such) {
+TEST_F(Causes, ARejectionWithoutAKnownReasonIsCountedAsSuch) {
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
   run_.judge(1, 0, 1, 0.4, at(0, 0, 1000), JudgedPose::kRejected, "size 3.6 (usually 4)");
   EXPECT_EQ(missed().at(0).cause, "rejected");
 }
 
-TEST_F(Causes, a_small_object_turned_is_not_nearly_right) {
+TEST_F(Causes, ASmallObjectTurnedIsNotNearlyRight) {
   // 35 px large: 12 px are a third of it.
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 5000));
   Rigid3 turned = at(0, 0, 5000);
@@ -91,7 +91,7 @@ TEST_F(Causes, a_small_object_turned_is_not_nearly_right) {
   EXPECT_EQ(wrong().at(0).cause, WrongCause::kTwin);
 }
 
-TEST_F(Causes, a_missed_object_that_only_twins_were_judged_of) {
+TEST_F(Causes, AMissedObjectThatOnlyTwinsWereJudgedOf) {
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
   Rigid3 turned = at(0, 0, 1000);
   turned.rotation = expSO3({0, 0, M_PI / 2});
@@ -102,7 +102,7 @@ TEST_F(Causes, a_missed_object_that_only_twins_were_judged_of) {
   EXPECT_EQ(missed().at(0).cause, "no candidate within 10 px, one in its place in a wrong orientation");
 }
 
-TEST_F(Causes, what_suppressed_a_right_candidate_is_told_apart) {
+TEST_F(Causes, WhatSuppressedARightCandidateIsToldApart) {
   BopImage& image = run_.image(1, 0);
   MadeUpRun::truth(&image, 1, at(0, 0, 1000));
   MadeUpRun::truth(&image, 2, at(150, 0, 1000), 0.3);
@@ -131,7 +131,7 @@ TracedTruth farTrace() {
   return traced;
 }
 
-TEST_F(Causes, a_traced_object_was_lost_behind_the_last_stage_that_came_near) {
+TEST_F(Causes, ATracedObjectWasLostBehindTheLastStageThatCameNear) {
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
   traced_ = {farTrace()};
   TracedTruth& trace = traced_[0];
@@ -154,7 +154,7 @@ TEST_F(Causes, a_traced_object_was_lost_behind_the_last_stage_that_came_near) {
   EXPECT_EQ(lostWith(trace.recorded, 7, "lost after the search"), LostAt::kNotKept);
 }
 
-TEST_F(Causes, hypotheses_must_lie_nearer_to_a_small_object) {
+TEST_F(Causes, HypothesesMustLieNearerToASmallObject) {
   // 35 px large; 173 px at 1 m.
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 5000));
   traced_ = {farTrace()};
@@ -164,7 +164,7 @@ TEST_F(Causes, hypotheses_must_lie_nearer_to_a_small_object) {
   EXPECT_EQ(missed().at(0).lost.stage, LostAt::kNotTaken);
 }
 
-TEST_F(Causes, the_trace_of_another_object_tells_nothing) {
+TEST_F(Causes, TheTraceOfAnotherObjectTellsNothing) {
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
   traced_.assign(3, farTrace());
   traced_[0].scene = 2;
@@ -174,7 +174,7 @@ TEST_F(Causes, the_trace_of_another_object_tells_nothing) {
   EXPECT_FALSE(missed().at(0).traced.has_value());
 }
 
-TEST_F(Causes, what_was_judged_instead_stands_beside_where_the_right_one_was_lost) {
+TEST_F(Causes, WhatWasJudgedInsteadStandsBesideWhereTheRightOneWasLost) {
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
   traced_ = {farTrace()};
   run_.judge(1, 0, 1, 0.3, at(15, 0, 1000), JudgedPose::kRejected);
@@ -185,7 +185,7 @@ TEST_F(Causes, what_was_judged_instead_stands_beside_where_the_right_one_was_los
   EXPECT_EQ(missed().at(0).cause, "no hypothesis near, one in its place in a wrong orientation");
 }
 
-TEST_F(Causes, a_right_candidate_tells_more_than_the_trace) {
+TEST_F(Causes, ARightCandidateTellsMoreThanTheTrace) {
   MadeUpRun::truth(&run_.image(1, 0), 1, at(0, 0, 1000));
   traced_ = {farTrace()};
   run_.judge(1, 0, 1, 0.3, at(1, 0, 1000), JudgedPose::kRejected);
@@ -193,7 +193,7 @@ TEST_F(Causes, a_right_candidate_tells_more_than_the_trace) {
   EXPECT_TRUE(missed().at(0).traced.has_value());
 }
 
-TEST_F(Causes, found_and_hardly_visible_objects_are_not_missed) {
+TEST_F(Causes, FoundAndHardlyVisibleObjectsAreNotMissed) {
   BopImage& image = run_.image(1, 0);
   MadeUpRun::truth(&image, 1, at(0, 0, 1000));
   MadeUpRun::truth(&image, 2, at(0, 0, 1000), 0.4);
@@ -201,7 +201,7 @@ TEST_F(Causes, found_and_hardly_visible_objects_are_not_missed) {
   EXPECT_TRUE(missed().empty());
 }
 
-TEST_F(Causes, limits_name_themselves) {
+TEST_F(Causes, LimitsNameThemselves) {
   SearchLimits limits;
   limits.min_distance = 0.25;
   limits.max_distance = 2.5;
@@ -227,13 +227,13 @@ TEST_F(Causes, limits_name_themselves) {
   EXPECT_EQ(all[1].cause, "limit of the search: nearer than min_distance");
 }
 
-TEST_F(Causes, a_wrong_pose_near_its_object) {
+TEST_F(Causes, AWrongPoseNearItsObject) {
   const WrongAccept wrong = wrongBlock(at(15, 0, 1000));
   EXPECT_EQ(wrong.cause, WrongCause::kNearMiss);
   EXPECT_EQ(wrong.on, 0);
 }
 
-TEST_F(Causes, a_wrong_pose_that_is_a_twin) {
+TEST_F(Causes, AWrongPoseThatIsATwin) {
   Rigid3 turned = at(0, 0, 1000);
   turned.rotation = expSO3({0, 0, M_PI / 2});
   const WrongAccept wrong = wrongBlock(turned);
@@ -242,24 +242,24 @@ TEST_F(Causes, a_wrong_pose_that_is_a_twin) {
   EXPECT_NEAR(wrong.overlap, 1, 1e-3);
 }
 
-TEST_F(Causes, a_wrong_pose_that_is_too_small) {
+TEST_F(Causes, AWrongPoseThatIsTooSmall) {
   EXPECT_EQ(wrongBlock(at(0, 0, 1500)).cause, WrongCause::kMisplaced);
 }
 
-TEST_F(Causes, a_wrong_pose_on_another_object) {
+TEST_F(Causes, AWrongPoseOnAnotherObject) {
   const WrongAccept wrong = wrongBlock(at(145, 0, 1000));
   EXPECT_EQ(wrong.cause, WrongCause::kOtherObject);
   EXPECT_EQ(wrong.on, 1);
   EXPECT_GT(wrong.overlap, 0.9);
 }
 
-TEST_F(Causes, a_wrong_pose_on_clutter) {
+TEST_F(Causes, AWrongPoseOnClutter) {
   const WrongAccept wrong = wrongBlock(at(-180, 100, 1000));
   EXPECT_EQ(wrong.cause, WrongCause::kClutter);
   EXPECT_EQ(wrong.on, -1);
 }
 
-TEST_F(Causes, the_surest_wrong_pose_stands_first_and_finds_its_evidence) {
+TEST_F(Causes, TheSurestWrongPoseStandsFirstAndFindsItsEvidence) {
   run_.image(1, 0);
   run_.row(1, 0, 1, 0.6, at(0, 0, 1000));
   run_.row(1, 0, 2, 0.8, at(0, 0, 1500));

@@ -2,25 +2,15 @@
 
 #include <gmock/gmock.h>
 
-#include "monocular_eye_hand/geometry/error.h"
 #include "small_dataset.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 using testing::HasSubstr;
 
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "accepted";
-}
-
-TEST(Dataset, models) {
+TEST(Dataset, Models) {
   TempFolder folder;
   writeSmallDataset(folder);
   const BopModels models = loadBopModels(folder.path("models"));
@@ -36,7 +26,7 @@ TEST(Dataset, models) {
   EXPECT_EQ(plate.symmetries.discrete[0].rotation(0, 0), -1);
 }
 
-TEST(Dataset, continuous_symmetry_in_metres_with_a_unit_axis) {
+TEST(Dataset, ContinuousSymmetryInMetresWithAUnitAxis) {
   TempFolder folder;
   folder.write("obj_000002.ply", tetrahedronPly());
   folder.write(
@@ -48,7 +38,7 @@ TEST(Dataset, continuous_symmetry_in_metres_with_a_unit_axis) {
   EXPECT_TRUE(axes[0].point.isApprox(Eigen::Vector3d(0.01, 0.02, 0.03)));
 }
 
-TEST(Dataset, split) {
+TEST(Dataset, Split) {
   TempFolder folder;
   writeSmallDataset(folder);
   const BopSplit split = loadBopSplit(folder.path(), "dev");
@@ -70,7 +60,7 @@ TEST(Dataset, split) {
   EXPECT_FALSE(camera.distorted());
 }
 
-TEST(Dataset, restricted_to_scenes_and_images) {
+TEST(Dataset, RestrictedToScenesAndImages) {
   TempFolder folder;
   writeSmallDataset(folder);
   EXPECT_EQ(loadBopSplit(folder.path(), "dev", {1}).images.size(), 2u);
@@ -80,7 +70,7 @@ TEST(Dataset, restricted_to_scenes_and_images) {
   EXPECT_THAT(refusal([&] { loadBopSplit(folder.path(), "dev", {}, {9}); }), HasSubstr("no image"));
 }
 
-TEST(Dataset, targets) {
+TEST(Dataset, Targets) {
   TempFolder folder;
   writeSmallDataset(folder);
   folder.write("t.json", R"([{"scene_id": 1, "im_id": 3, "obj_id": 1, "inst_count": 2}])");
@@ -95,14 +85,14 @@ TEST(Dataset, targets) {
   EXPECT_EQ(visible[2].count, 1);
 }
 
-TEST(Dataset, width_of_a_set_without_camera_json_is_its_images) {
+TEST(Dataset, WidthOfASetWithoutCameraJsonIsItsImages) {
   TempFolder folder;
   writeSmallDataset(folder);
   std::filesystem::remove(folder.path("camera.json"));
   EXPECT_EQ(loadBopSplit(folder.path(), "dev").width, 640);
 }
 
-TEST(Dataset, what_is_wrong_is_named) {
+TEST(Dataset, WhatIsWrongIsNamed) {
   TempFolder folder;
   writeSmallDataset(folder);
   EXPECT_THAT(refusal([&] { loadBopSplit(folder.path(), "test"); }), HasSubstr("test: no such folder"));
@@ -123,7 +113,7 @@ TEST(Dataset, what_is_wrong_is_named) {
   EXPECT_THAT(refusal([&] { loadBopSplit(folder.path(), "dev"); }), HasSubstr("not valid JSON"));
 }
 
-TEST(Dataset, unreadable_images_are_named) {
+TEST(Dataset, UnreadableImagesAreNamed) {
   TempFolder folder;
   writeSmallDataset(folder);
   folder.write("dev/000001/gray/000000.png", "not a picture");

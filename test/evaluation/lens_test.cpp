@@ -6,27 +6,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-Camera pinhole() {
-  Camera camera;
-  camera.width = 320;
-  camera.height = 240;
-  camera.fx = 350;
-  camera.fy = 351;
-  camera.cx = 160.2;
-  camera.cy = 118.7;
-  return camera;
-}
+Camera pinhole() { return {320, 240, 350, 351, 160.2, 118.7, DistortionModel::kNone, {}}; }
 
-Camera lens() {
-  Camera camera = pinhole();
-  const double d[] = {-0.28, 0.08, 0.001, -0.0005, 0};
-  setDistortion(&camera, "plumb_bob", d, 5);
-  return camera;
-}
+Camera lens() { return withWebcamLens(pinhole()); }
 
 // A smooth blob; its centre is found again by moments.
 cv::Mat blob(const Camera& camera, const Eigen::Vector2d& centre) {
@@ -45,7 +32,7 @@ Eigen::Vector2d centroid(const cv::Mat& image) {
   return {m.m10 / m.m00, m.m01 / m.m00};
 }
 
-TEST(LensWarp, a_point_lands_where_the_lens_puts_it) {
+TEST(LensWarp, APointLandsWhereTheLensPutsIt) {
   LensWarp warp;
   for (const Eigen::Vector2d& uv :
        {Eigen::Vector2d(60, 50), Eigen::Vector2d(250, 180), Eigen::Vector2d(160, 120)}) {
@@ -56,13 +43,13 @@ TEST(LensWarp, a_point_lands_where_the_lens_puts_it) {
   EXPECT_GT((lens().distort({60, 50}) - Eigen::Vector2d(60, 50)).norm(), 3);
 }
 
-TEST(LensWarp, no_distortion_changes_nothing) {
+TEST(LensWarp, NoDistortionChangesNothing) {
   LensWarp warp;
   const cv::Mat ideal = blob(pinhole(), {100, 100});
   EXPECT_EQ(cv::norm(warp.apply(ideal, pinhole()), ideal, cv::NORM_INF), 0);
 }
 
-TEST(LensWarp, another_lens_gets_another_map) {
+TEST(LensWarp, AnotherLensGetsAnotherMap) {
   LensWarp warp;
   const cv::Mat ideal = blob(pinhole(), {60, 50});
   const cv::Mat first = warp.apply(ideal, lens());
@@ -70,12 +57,12 @@ TEST(LensWarp, another_lens_gets_another_map) {
   EXPECT_EQ(cv::norm(warp.apply(ideal, lens()), first, cv::NORM_INF), 0);
 }
 
-TEST(LensWarp, the_sizes_must_agree) {
+TEST(LensWarp, TheSizesMustAgree) {
   LensWarp warp;
   EXPECT_THROW(warp.apply(cv::Mat(10, 10, CV_8UC1, cv::Scalar(0)), lens()), BadInput);
 }
 
-TEST(Resized, image_and_camera_agree) {
+TEST(Resized, ImageAndCameraAgree) {
   const Eigen::Vector3d p(0.05, -0.1, 1);
   for (double factor : {2.0, 0.5, 1.37}) {
     const CameraImage out = resized({blob(pinhole(), pinhole().project(p)), pinhole()}, factor);

@@ -22,22 +22,22 @@ Eigen::Matrix3d intrinsics() {
   return k;
 }
 
-TEST(PoseError, a_shift_moves_every_point_by_its_length) {
+TEST(PoseError, AShiftMovesEveryPointByItsLength) {
   EXPECT_NEAR(mssd(at(0.003, 0.004, 1), at(0, 0, 1), kCorners, kNone), 0.005, 1e-12);
 }
 
-TEST(PoseError, a_shift_in_the_image_counts_most_for_the_nearest_point) {
+TEST(PoseError, AShiftInTheImageCountsMostForTheNearestPoint) {
   // 2 mm sideways; the points at 1 m move by 1000 * 0.002 / 1, the one at 1.1 m by less.
   EXPECT_NEAR(mspd(at(0.002, 0, 1), at(0, 0, 1), intrinsics(), kCorners, kNone), 2.0, 1e-9);
   // Depth 1 -> 1.25: the corner (0.1, 0, 0) goes from 100 px to 80 px off the centre.
   EXPECT_NEAR(mspd(at(0, 0, 1.25), at(0, 0, 1), intrinsics(), kCorners, kNone), 20.0, 1e-9);
 }
 
-TEST(PoseError, a_turn_moves_the_farthest_point) {
+TEST(PoseError, ATurnMovesTheFarthestPoint) {
   EXPECT_NEAR(mssd(turnedAboutZ(M_PI / 3, {0, 0, 1}), at(0, 0, 1), kCorners, kNone), 0.1, 1e-12);
 }
 
-TEST(PoseError, symmetries_make_poses_equal) {
+TEST(PoseError, SymmetriesMakePosesEqual) {
   BopSymmetries half_turn;
   half_turn.discrete.push_back(turnedAboutZ(M_PI));
   const auto symmetries = discretized(half_turn);
@@ -48,7 +48,7 @@ TEST(PoseError, symmetries_make_poses_equal) {
   EXPECT_NEAR(mssd(estimate, truth, kCorners, kNone), 0.2, 1e-12);
 }
 
-TEST(PoseError, a_free_axis_is_taken_in_equal_steps_about_its_own_line) {
+TEST(PoseError, AFreeAxisIsTakenInEqualStepsAboutItsOwnLine) {
   BopSymmetries symmetries;
   symmetries.continuous.push_back({{0.05, 0, 0}, {0, 0, 1}});
   symmetries.discrete.push_back({Eigen::Vector3d(1, -1, -1).asDiagonal(), Eigen::Vector3d::Zero()});
@@ -70,7 +70,7 @@ TEST(PoseError, a_free_axis_is_taken_in_equal_steps_about_its_own_line) {
   EXPECT_NEAR(mssd(estimate, truth, kCorners, set), 2 * radius * std::sin(half_step / 2), 1e-12);
 }
 
-TEST(PoseError, a_pose_that_is_not_finite_is_infinitely_wrong) {
+TEST(PoseError, APoseThatIsNotFiniteIsInfinitelyWrong) {
   const Rigid3 broken = at(std::nan(""), 0, 1);
   EXPECT_TRUE(std::isinf(mssd(broken, at(0, 0, 1), kCorners, kNone)));
   EXPECT_TRUE(std::isinf(mspd(broken, at(0, 0, 1), intrinsics(), kCorners, kNone)));

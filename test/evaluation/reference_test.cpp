@@ -145,17 +145,17 @@ class Reference : public testing::Test {
   ImageTimes times_;
 };
 
-TEST_F(Reference, bop_scores_of_visible_targets) {
+TEST_F(Reference, BopScoresOfVisibleTargets) {
   makeResults(1);
   compareBopScores("", {});
 }
 
-TEST_F(Reference, bop_scores_of_a_target_list) {
+TEST_F(Reference, BopScoresOfATargetList) {
   makeResults(2);
   compareBopScores(" --targets dev_targets_bop19.json", loadBopTargets(dataset_ + "/dev_targets_bop19.json"));
 }
 
-TEST_F(Reference, summary_per_scene) {
+TEST_F(Reference, SummaryPerScene) {
   makeResults(3);
   const std::string program = (tools_ / "summary.py").string();
   const std::string arguments = dataset_ + " dev " + csv();

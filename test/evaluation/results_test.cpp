@@ -4,6 +4,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "small_dataset.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -12,18 +13,13 @@ using testing::HasSubstr;
 
 const char* kIdentity = "1 0 0 0 1 0 0 0 1";
 
-std::string refusal(const std::string& text) {
+std::string refusalOf(const std::string& text) {
   TempFolder folder;
   folder.write("r.csv", text);
-  try {
-    readBopResults(folder.path("r.csv"));
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "accepted";
+  return refusal([&] { readBopResults(folder.path("r.csv")); });
 }
 
-TEST(Results, read_back_what_was_written) {
+TEST(Results, ReadBackWhatWasWritten) {
   TempFolder folder;
   std::vector<BopResult> results(2);
   results[0] = {3, 17, 2, 1.0 / 3, {expSO3({0.3, -2, 1}), {0.1, -0.2, 1.0 / 7}}, 0.123456789012};
@@ -42,7 +38,7 @@ TEST(Results, read_back_what_was_written) {
   EXPECT_EQ(back[1].time, -1);
 }
 
-TEST(Results, millimetres_in_the_file_metres_outside) {
+TEST(Results, MillimetresInTheFileMetresOutside) {
   TempFolder folder;
   folder.write("r.csv", std::string("scene_id,im_id,obj_id,score,R,t,time\n1,2,3,0.5,") + kIdentity +
                             ",10 -20 1500,0.25\n");
@@ -51,24 +47,26 @@ TEST(Results, millimetres_in_the_file_metres_outside) {
   EXPECT_TRUE(rows[0].camera_from_object.translation.isApprox(Eigen::Vector3d(0.01, -0.02, 1.5), 1e-15));
 }
 
-TEST(Results, faults_are_named_with_their_line) {
+TEST(Results, FaultsAreNamedWithTheirLine) {
   const std::string row = std::string("1,2,3,0.5,") + kIdentity + ",0 0 1,0.25\n";
-  EXPECT_EQ(refusal(row + row), "accepted");
-  EXPECT_EQ(refusal("\r\n" + row), "accepted");
-  EXPECT_THAT(refusal(row + "1,2,3,0.5," + kIdentity + ",0 0 1\n"), HasSubstr("r.csv:2: has 6 fields, 7"));
-  EXPECT_THAT(refusal("1,2,3,0.5,1 0 0 0 1 0 0 0,0 0 1,0.2\n"), HasSubstr("r.csv:1: R = "));
-  EXPECT_THAT(refusal(std::string("1,2,3,0.5,") + kIdentity + ",0 0 x,0.2\n"),
+  EXPECT_EQ(refusalOf(row + row), "accepted");
+  EXPECT_EQ(refusalOf("\r\n" + row), "accepted");
+  EXPECT_THAT(refusalOf(row + "1,2,3,0.5," + kIdentity + ",0 0 1\n"), HasSubstr("r.csv:2: has 6 fields, 7"));
+  EXPECT_THAT(refusalOf("1,2,3,0.5,1 0 0 0 1 0 0 0,0 0 1,0.2\n"), HasSubstr("r.csv:1: R = "));
+  EXPECT_THAT(refusalOf(std::string("1,2,3,0.5,") + kIdentity + ",0 0 x,0.2\n"),
               HasSubstr("t = '0 0 x': 3 numbers"));
-  EXPECT_THAT(refusal("1,2,3,0.5,1 0 0 0 1 0 0 0 -1,0 0 1,0.2\n"), HasSubstr("R is not a rotation"));
-  EXPECT_THAT(refusal("1,2,3,0.5,2 0 0 0 1 0 0 0 1,0 0 1,0.2\n"), HasSubstr("R is not a rotation"));
-  EXPECT_THAT(refusal(std::string("1,2.5,3,0.5,") + kIdentity + ",0 0 1,0.2\n"), HasSubstr("im_id = '2.5'"));
-  EXPECT_THAT(refusal(std::string("1,2,3,,") + kIdentity + ",0 0 1,0.2\n"), HasSubstr("score = ''"));
-  EXPECT_THAT(refusal(row + "1,2,3,0.5," + kIdentity + ",0 0 1,0.26\n"), HasSubstr("r.csv:2: time differs"));
+  EXPECT_THAT(refusalOf("1,2,3,0.5,1 0 0 0 1 0 0 0 -1,0 0 1,0.2\n"), HasSubstr("R is not a rotation"));
+  EXPECT_THAT(refusalOf("1,2,3,0.5,2 0 0 0 1 0 0 0 1,0 0 1,0.2\n"), HasSubstr("R is not a rotation"));
+  EXPECT_THAT(refusalOf(std::string("1,2.5,3,0.5,") + kIdentity + ",0 0 1,0.2\n"),
+              HasSubstr("im_id = '2.5'"));
+  EXPECT_THAT(refusalOf(std::string("1,2,3,,") + kIdentity + ",0 0 1,0.2\n"), HasSubstr("score = ''"));
+  EXPECT_THAT(refusalOf(row + "1,2,3,0.5," + kIdentity + ",0 0 1,0.26\n"),
+              HasSubstr("r.csv:2: time differs"));
   EXPECT_THROW(readBopResults("/nowhere/r.csv"), BadInput);
   EXPECT_THROW(writeBopResults("/nowhere/r.csv", {}), BadInput);
 }
 
-TEST(Results, times_beside_results) {
+TEST(Results, TimesBesideResults) {
   TempFolder folder;
   EXPECT_EQ(imageTimesPath("a/r.csv"), "a/r.times.csv");
   const ImageTimes times{{{1, 2}, 0.25}, {{1, 10}, 1e-3}};

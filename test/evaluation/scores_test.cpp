@@ -47,7 +47,7 @@ class Scores : public testing::Test {
   BopModels models_;
 };
 
-TEST_F(Scores, true_poses_score_one) {
+TEST_F(Scores, TruePosesScoreOne) {
   const BopScores s = score(perfect());
   EXPECT_EQ(s.images, 3);
   EXPECT_EQ(s.targets, 4);
@@ -58,7 +58,7 @@ TEST_F(Scores, true_poses_score_one) {
   EXPECT_NEAR(s.mapStrict(), 1, 1e-12);
 }
 
-TEST_F(Scores, nothing_found_scores_zero) {
+TEST_F(Scores, NothingFoundScoresZero) {
   const BopScores s = score({});
   EXPECT_EQ(s.ar(), 0);
   EXPECT_EQ(s.map(), 0);
@@ -70,7 +70,7 @@ TEST_F(Scores, nothing_found_scores_zero) {
   EXPECT_TRUE(std::isnan(scenes[0].median_time));
 }
 
-TEST_F(Scores, recall_counts_the_thresholds_that_an_error_stays_below) {
+TEST_F(Scores, RecallCountsTheThresholdsThatAnErrorStaysBelow) {
   // One row, 12 mm off sideways: MSPD 12 px, below 8 of 10 thresholds (15 ... 50); MSSD 12 / 141.4 = 0.085,
   // below 9. Of four targets: AR_MSPD = 0.8 / 4, AR_MSSD = 0.9 / 4.
   const BopScores s = score({row(1, 0, 1, 0.9, {12, 0, 1000})});
@@ -85,20 +85,20 @@ TEST_F(Scores, recall_counts_the_thresholds_that_an_error_stays_below) {
   EXPECT_NEAR(scenes[0].ar, 0.85 / 3, 1e-12);
 }
 
-TEST_F(Scores, an_error_equal_to_a_threshold_is_wrong) {
+TEST_F(Scores, AnErrorEqualToAThresholdIsWrong) {
   // 10 mm off at 1 m and f = 1000 px; the tetrahedron's corners at 1 m move by 10 px, give or take rounding.
   EXPECT_NEAR(score({row(1, 0, 1, 0.9, {10 + 1e-6, 0, 1000})}).ar_mspd, 0.8 / 4, 1e-12);
   EXPECT_NEAR(score({row(1, 0, 1, 0.9, {10 - 1e-6, 0, 1000})}).ar_mspd, 0.9 / 4, 1e-12);
 }
 
-TEST_F(Scores, symmetric_poses_are_the_same) {
+TEST_F(Scores, SymmetricPosesAreTheSame) {
   BopResult turned = row(2, 0, 5, 0.6, {0, 0, 2000});
   turned.camera_from_object.rotation = Eigen::Vector3d(-1, -1, 1).asDiagonal();
   EXPECT_NEAR(score({turned}).ar(), 0.25, 1e-12);
   EXPECT_EQ(summary({turned})[1].found, 1);
 }
 
-TEST_F(Scores, a_double_is_right_but_found_once) {
+TEST_F(Scores, ADoubleIsRightButFoundOnce) {
   auto results = perfect();
   results.push_back(row(1, 0, 1, 0.95, {1, 0, 1000}));
   const auto scenes = summary(results);
@@ -112,7 +112,7 @@ TEST_F(Scores, a_double_is_right_but_found_once) {
   EXPECT_NEAR(s.map_mspd, ((51 + 50 * 2.0 / 3) / 101 + 1) / 2, 1e-12);
 }
 
-TEST_F(Scores, the_hardly_visible_instance_is_neither_wanted_nor_a_fault) {
+TEST_F(Scores, TheHardlyVisibleInstanceIsNeitherWantedNorAFault) {
   auto results = perfect();
   results.push_back(row(1, 3, 1, 0.99, {-200, 0, 1000}));
   const BopScores s = score(results);
@@ -126,7 +126,7 @@ TEST_F(Scores, the_hardly_visible_instance_is_neither_wanted_nor_a_fault) {
   EXPECT_NEAR(scenes[0].ar, 1, 1e-12);
 }
 
-TEST_F(Scores, an_object_that_is_absent_counts_in_the_strict_score_only) {
+TEST_F(Scores, AnObjectThatIsAbsentCountsInTheStrictScoreOnly) {
   auto results = perfect();
   results.push_back(row(2, 0, 1, 0.95, {0, 0, 1000}));
   const BopScores s = score(results);
@@ -136,31 +136,31 @@ TEST_F(Scores, an_object_that_is_absent_counts_in_the_strict_score_only) {
   EXPECT_NEAR(summary(results)[1].rightShare(), 0.5, 1e-12);
 }
 
-TEST_F(Scores, thresholds_scale_with_the_width_of_the_images) {
+TEST_F(Scores, ThresholdsScaleWithTheWidthOfTheImages) {
   split_.width = 1280;  // 12 px there are 6 px of 640: below 9 of the thresholds
   EXPECT_NEAR(score({row(1, 0, 1, 0.9, {12, 0, 1000})}).ar_mspd, 0.9 / 4, 1e-12);
 }
 
-TEST_F(Scores, targets_say_what_counts) {
+TEST_F(Scores, TargetsSayWhatCounts) {
   const std::vector<BopTarget> targets{{1, 3, 1, 2}};
   EXPECT_NEAR(score(perfect(), targets).ar(), 0.5, 1e-12);
   EXPECT_EQ(score(perfect(), targets).targets, 2);
   EXPECT_THROW(score(perfect(), {{4, 3, 1, 2}}), BadInput);
 }
 
-TEST_F(Scores, times_of_the_file_go_before_those_of_the_rows) {
+TEST_F(Scores, TimesOfTheFileGoBeforeThoseOfTheRows) {
   auto results = perfect();
   EXPECT_EQ(summary(results)[0].median_time, 0.5);
   EXPECT_NEAR(summary(results, {{{1, 0}, 0.1}, {{1, 3}, 0.4}})[0].median_time, 0.25, 1e-12);
 }
 
-TEST_F(Scores, printed_lines) {
+TEST_F(Scores, PrintedLines) {
   const auto scenes = summary(perfect());
   EXPECT_EQ(summaryLine(scenes[0]), "scene 1: found 1.000 (2/2) right 1.000 (3/3) AR 1.000 median 0.500 s");
   EXPECT_EQ(summaryFigure(scenes), "found/right/AR/time 1: 1.00/1.00/1.00/0.50s | 2: 1.00/1.00/1.00/0.50s");
 }
 
-TEST_F(Scores, a_truth_without_a_model_is_refused) {
+TEST_F(Scores, ATruthWithoutAModelIsRefused) {
   models_.erase(5);
   EXPECT_THROW(score(perfect()), BadInput);
   EXPECT_THROW(summary(perfect()), BadInput);

@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-TEST(Statistics, wilson_interval_of_known_shares) {
+TEST(Statistics, WilsonIntervalOfKnownShares) {
   EXPECT_NEAR(wilson95({8, 10}).low, 0.490, 5e-4);
   EXPECT_NEAR(wilson95({8, 10}).high, 0.943, 5e-4);
   EXPECT_EQ(wilson95({0, 5}).low, 0);
@@ -22,13 +22,13 @@ TEST(Statistics, wilson_interval_of_known_shares) {
   EXPECT_THROW(wilson95({-1, 2}), BadInput);
 }
 
-TEST(Statistics, median_of_odd_even_and_none) {
+TEST(Statistics, MedianOfOddEvenAndNone) {
   EXPECT_EQ(median({3, 1, 2}), 2);
   EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
   EXPECT_TRUE(std::isnan(median({})));
 }
 
-TEST(Statistics, mcnemar_is_the_binomial_of_the_changed_pairs) {
+TEST(Statistics, McnemarIsTheBinomialOfTheChangedPairs) {
   PairedCounts pairs;
   for (int k = 0; k < 5; ++k) pairs.add(true, false);
   pairs.add(false, true);
@@ -44,7 +44,7 @@ TEST(Statistics, mcnemar_is_the_binomial_of_the_changed_pairs) {
   EXPECT_EQ((PairedCounts{0, 3, 3, 0}.chance()), 1);
 }
 
-TEST(Statistics, reliability_in_bins_of_equal_count) {
+TEST(Statistics, ReliabilityInBinsOfEqualCount) {
   // Five at 0.2 of which one is right, five at 0.8 of which three are right.
   std::vector<Prediction> all;
   for (int k = 0; k < 5; ++k) {
@@ -61,7 +61,7 @@ TEST(Statistics, reliability_in_bins_of_equal_count) {
   EXPECT_NEAR(calibrationError(bins), (0 + 0.2) / 2, 1e-12);
 }
 
-TEST(Statistics, bins_hold_all_predictions_and_none_is_empty) {
+TEST(Statistics, BinsHoldAllPredictionsAndNoneIsEmpty) {
   std::vector<Prediction> all;
   for (int k = 0; k < 23; ++k) all.push_back({k / 23.0, false});
   int count = 0;

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "monocular_eye_hand/geometry/error.h"
 #include "scripted_robot.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -246,14 +246,6 @@ TEST_F(RobotMotionTest, WhoNeverToldAnythingIsNamed) {
   robot.tells_joints = robot.tells_gripper = false;
   robot.forgetAll();
   EXPECT_EQ(motion.jointStamp(), 0);
-  const auto refusal = [](const auto& ask) -> std::string {
-    try {
-      ask();
-    } catch (const BadInput& e) {
-      return e.what();
-    }
-    return "";
-  };
   EXPECT_EQ(refusal([this] { motion.joints(); }), "no joint_states yet: does the driver of the arm run?");
   EXPECT_EQ(refusal([this] { motion.gripper(); }), "no gripper/state yet: does the driver of the arm run?");
 }

@@ -7,6 +7,7 @@
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/model/free_turns.h"
+#include "support/pose_matchers.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -43,7 +44,7 @@ TEST(Fusion, ViewsShrinkTheImagePartOnly) {
   const double floor = 1e-4 * 1e-4;     // and what CAD and part differ by
   EXPECT_GT(o.covariance(0, 0), hand_eye + floor);
   EXPECT_LT(o.covariance(0, 0), first_total);
-  EXPECT_LT(difference(o.base_from_object, truth).norm(), 1e-9);
+  EXPECT_THAT(truth, PoseNear(o.base_from_object, 1e-06, 6e-08));
 }
 
 TEST(Fusion, CovarianceAgreesWithMonteCarlo) {
@@ -119,8 +120,8 @@ TEST(Fusion, SymmetricPosesAreOne) {
   }
   ASSERT_EQ(map.objects().size(), 1u);
   EXPECT_EQ(map.objects()[0].views, 6);
-  EXPECT_LT(difference(truth, nearestEqualPose(bridge, map.objects()[0].base_from_object, truth)).norm(),
-            1e-9);
+  EXPECT_THAT(nearestEqualPose(bridge, map.objects()[0].base_from_object, truth),
+              PoseNear(truth, 1e-06, 6e-08));
 }
 
 TEST(Fusion, AFreeAxisIsNotAveraged) {
@@ -131,10 +132,11 @@ TEST(Fusion, AFreeAxisIsNotAveraged) {
   double stamp = 0;
   for (const Eigen::Vector3d& eye : eyesAround(6)) {
     ObjectView v =
-        view(stamp + 1, eye, kTarget, {{kFlange, truth * turnAbout(*flange.symmetries.axis, stamp)}});
+        view(stamp + 1, eye, kTarget, {{kFlange, truth * rotationAbout(*flange.symmetries.axis, stamp)}});
     SeenObject& seen = v.objects[0];
-    seen.covariance = freedCovariance(flange, seen.camera_from_object,
-                                      heldCovariance(flange, seen.camera_from_object, seen.covariance));
+    seen.covariance =
+        withFreeAxisVariance(flange, seen.camera_from_object,
+                             conditionedOnFreeAxis(flange, seen.camera_from_object, seen.covariance));
     const ViewReport report = map.add(v);
     EXPECT_LT(report.decisions.at(0).chi_square, 1e-6);
     ++stamp;

@@ -6,6 +6,7 @@
 #include "monocular_eye_hand/eye_hand/object_map.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand::map_world {
 
@@ -24,15 +25,7 @@ inline const ModelBase& models() {
 }
 enum { kBridge, kFlange, kFrame, kBracket };
 
-inline Camera camera() {
-  Camera c;
-  c.width = 640;
-  c.height = 480;
-  c.fx = c.fy = 600;
-  c.cx = 319.5;
-  c.cy = 239.5;
-  return c;
-}
+inline Camera camera() { return centredCamera(640, 480, 600); }
 
 inline Matrix6d diagonal(double metres, double radians) {
   Vector6d v;

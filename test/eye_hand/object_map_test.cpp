@@ -5,10 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "failure.h"
 #include "map_world.h"
 #include "monocular_eye_hand/model/interior.h"
 #include "monocular_eye_hand/options/options.h"
+#include "support/pose_matchers.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -71,7 +72,7 @@ TEST(ObjectMap, AnOutlierIsLeftOutAndAMovedObjectFollowed) {
   EXPECT_GT(report.decisions[0].chi_square, 30);
   EXPECT_THAT(report.decisions[0].reason, HasSubstr("above the gate of 30"));
   EXPECT_EQ(map.objects()[0].outliers, 1);
-  EXPECT_LT(difference(map.objects()[0].base_from_object, there).norm(), 1e-9);
+  EXPECT_THAT(there, PoseNear(map.objects()[0].base_from_object, 1e-06, 6e-08));
   report = map.add(view(4, kNear, kTarget, {{kBridge, there}}));  // a single one is forgotten again
   EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kMerged);
   EXPECT_EQ(map.objects()[0].outliers, 0);
@@ -81,7 +82,7 @@ TEST(ObjectMap, AnOutlierIsLeftOutAndAMovedObjectFollowed) {
   ASSERT_EQ(map.objects().size(), 1u);
   EXPECT_EQ(map.objects()[0].number, 0);
   EXPECT_EQ(map.objects()[0].views, 1);
-  EXPECT_LT(difference(map.objects()[0].base_from_object, pushed).norm(), 1e-9);
+  EXPECT_THAT(pushed, PoseNear(map.objects()[0].base_from_object, 1e-06, 6e-08));
 }
 
 TEST(ObjectMap, APlaceThatNeverShowedItSoDoesNotMoveItAlone) {
@@ -258,7 +259,7 @@ TEST(ObjectMap, ABadlyLocatedObstacleIsNoSecondOne) {
   report = map.add(view(3, kFar, kTarget, {{kFrame, frame}}));
   EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kRestarted);
   ASSERT_EQ(map.objects().size(), 1u);
-  EXPECT_LT(difference(map.objects()[0].base_from_object, frame).norm(), 1e-9);
+  EXPECT_THAT(frame, PoseNear(map.objects()[0].base_from_object, 1e-06, 6e-08));
   map.add(view(4, kNear, kTarget, {{kFrame, frame}, {kFrame, upright(0.45 + 1.5 * sides.x(), 0, 0.3)}}));
   EXPECT_EQ(map.objects().size(), 2u);
 }
@@ -302,7 +303,7 @@ TEST(ObjectMap, BadInputLeavesTheMapAlone) {
   const auto refused = [&](const std::function<void(ObjectView*)>& spoil) {
     ObjectView v = view(2, kRight, kTarget, {{kBridge, upright(0.45, 0)}});
     spoil(&v);
-    return failure([&] { map.add(v); });
+    return refusal([&] { map.add(v); });
   };
   EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].object = 9; }),
               HasSubstr("object 9 is not in the model base"));
@@ -316,9 +317,9 @@ TEST(ObjectMap, BadInputLeavesTheMapAlone) {
   EXPECT_THAT(refused([](ObjectView* v) { v->hand.jacobian(0, 0) = NAN; }), HasSubstr("Jacobian"));
   EXPECT_EQ(map.objects().at(0).last_stamp, 1);
   ObjectMapOptions options;
-  EXPECT_THAT(failure([&] { readOptions(parseYaml("gate: 0"), &options); }),
-              HasSubstr("gate = 0 must be above 0"));
-  EXPECT_THAT(failure([&] { readOptions(parseYaml("arm: {position_sigma: -1}"), &options); }),
+  EXPECT_THAT(refusal([&] { readOptions(parseYaml("gate: 0"), &options); }),
+              HasSubstr("gate = 0 must be positive"));
+  EXPECT_THAT(refusal([&] { readOptions(parseYaml("arm: {position_sigma: -1}"), &options); }),
               HasSubstr("position_sigma"));
 }
 

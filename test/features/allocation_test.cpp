@@ -7,6 +7,7 @@
 #include <new>
 
 #include "flat_features.h"
+#include "support/camera.h"
 
 namespace {
 
@@ -43,8 +44,8 @@ View polygons() {
   std::mt19937 g(3);
   SyntheticScene scene(90);
   for (int k = 0; k < 16; ++k)
-    scene.add(randomPolygon(&g, {uniform(&g, 20, 300), uniform(&g, 20, 220)}, uniform(&g, 10, 60), 3 + k % 4,
-                            uniform(&g, 20, 240)));
+    scene.add(randomPolygon(&g, {uniform(g, 20, 300), uniform(g, 20, 220)}, uniform(g, 10, 60), 3 + k % 4,
+                            uniform(g, 20, 240)));
   view.image = scene.render(view.camera, 2, &g);
   return view;
 }
@@ -55,24 +56,18 @@ View ellipsesOnTexture(const Camera& camera) {
   std::mt19937 g(5);
   SyntheticScene scene(120);
   for (int k = 0; k < 500; ++k)
-    scene.add(
-        FilledEllipse{{{uniform(&g, 0, 320), uniform(&g, 0, 240)}, 3, uniform(&g, 1, 3), uniform(&g, 0, 3)},
-                      uniform(&g, 60, 180)});
+    scene.add(FilledEllipse{{{uniform(g, 0, 320), uniform(g, 0, 240)}, 3, uniform(g, 1, 3), uniform(g, 0, 3)},
+                            uniform(g, 60, 180)});
   for (int y = 24; y < 240; y += 48)
     for (int x = 24; x < 320; x += 45)
       scene.add(
-          FilledEllipse{{{double(x), double(y)}, uniform(&g, 12, 20), uniform(&g, 7, 12), uniform(&g, 0, 3)},
+          FilledEllipse{{{double(x), double(y)}, uniform(g, 12, 20), uniform(g, 7, 12), uniform(g, 0, 3)},
                         (x + y) % 2 ? 230.0 : 20.0});
   view.image = scene.render(view.camera, 3, &g);
   return view;
 }
 
-Camera lens() {
-  Camera camera = testCamera(320, 240);
-  camera.model = DistortionModel::kPlumbBob;
-  camera.d = {-0.25, 0.08, 0.001, -0.001, 0, 0, 0, 0};
-  return camera;
-}
+Camera lens() { return withLens(testCamera(320, 240), "plumb_bob", {-0.25, 0.08, 0.001, -0.001, 0}); }
 
 const std::vector<View>& views() {
   static const std::vector<View> all = {polygons(), ellipsesOnTexture(testCamera(320, 240)),

@@ -9,6 +9,7 @@
 #include "monocular_eye_hand/features/features.h"
 #include "monocular_eye_hand/features/gradient.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "support/refusal.h"
 #include "synthetic.h"
 
 namespace monocular_eye_hand {
@@ -16,36 +17,31 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string refusal(const cv::Mat& image, const Camera& camera, const FeatureOptions& options = {}) {
-  try {
-    detectFeatures(image, camera, options);
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "accepted";
+std::string refusalOf(const cv::Mat& image, const Camera& camera, const FeatureOptions& options = {}) {
+  return refusal([&] { detectFeatures(image, camera, options); });
 }
 
 TEST(DetectFeatures, RefusesBadImages) {
   const Camera camera = testCamera(64, 48);
-  EXPECT_THAT(refusal(cv::Mat(), camera), HasSubstr("empty"));
-  EXPECT_THAT(refusal(cv::Mat(48, 64, CV_8UC3), camera), HasSubstr("CV_8UC3"));
-  EXPECT_THAT(refusal(cv::Mat(48, 64, CV_16UC1), camera), HasSubstr("CV_16UC1"));
-  EXPECT_THAT(refusal(cv::Mat(480, 640, CV_8UC1), camera), HasSubstr("640 x 480"));
+  EXPECT_THAT(refusalOf(cv::Mat(), camera), HasSubstr("empty"));
+  EXPECT_THAT(refusalOf(cv::Mat(48, 64, CV_8UC3), camera), HasSubstr("CV_8UC3"));
+  EXPECT_THAT(refusalOf(cv::Mat(48, 64, CV_16UC1), camera), HasSubstr("CV_16UC1"));
+  EXPECT_THAT(refusalOf(cv::Mat(480, 640, CV_8UC1), camera), HasSubstr("640 x 480"));
 }
 
 TEST(DetectFeatures, RefusesBadOptionsByName) {
   const Camera camera = testCamera(64, 48);
   const cv::Mat image(48, 64, CV_8UC1, cv::Scalar(7));
-  EXPECT_EQ(refusal(image, camera), "accepted");
+  EXPECT_EQ(refusalOf(image, camera), "accepted");
   FeatureOptions fields;
   fields.visit([&](const char* name, auto& field) {
     const auto before = field;
     field = static_cast<std::decay_t<decltype(field)>>(-1);
-    EXPECT_THAT(refusal(image, camera, fields), HasSubstr(name));
+    EXPECT_THAT(refusalOf(image, camera, fields), HasSubstr(name));
     field = before;
   });
   fields.split_tolerance = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(refusal(image, camera, fields), HasSubstr("split_tolerance"));
+  EXPECT_THAT(refusalOf(image, camera, fields), HasSubstr("split_tolerance"));
 }
 
 TEST(DetectFeatures, ImagesOfAnySize) {
@@ -87,7 +83,7 @@ TEST(DetectFeatures, SameInputSameOutput) {
   std::mt19937 g(17);
   SyntheticScene scene(90);
   for (int k = 0; k < 6; ++k)
-    scene.add(randomPolygon(&g, {uniform(&g, 40, 280), uniform(&g, 40, 200)}, 35, 5, uniform(&g, 20, 240)));
+    scene.add(randomPolygon(&g, {uniform(g, 40, 280), uniform(g, 40, 200)}, 35, 5, uniform(g, 20, 240)));
   const cv::Mat image = scene.render(camera, 4, &g);
   const FeatureSet a = detectFeatures(image, camera), b = detectFeatures(image.clone(), camera);
   ASSERT_EQ(a.segments.size(), b.segments.size());
@@ -171,12 +167,12 @@ TEST(DetectFeatures, IndicesAreConsistentOnClutter) {
   std::mt19937 g(19);
   SyntheticScene scene(90);
   for (int k = 0; k < 25; ++k) {
-    const Eigen::Vector2d c(uniform(&g, 10, 310), uniform(&g, 10, 230));
+    const Eigen::Vector2d c(uniform(g, 10, 310), uniform(g, 10, 230));
     if (k % 2)
-      scene.add(randomPolygon(&g, c, uniform(&g, 8, 50), 3 + k % 4, uniform(&g, 20, 240)));
+      scene.add(randomPolygon(&g, c, uniform(g, 8, 50), 3 + k % 4, uniform(g, 20, 240)));
     else
-      scene.add(FilledEllipse{{c, uniform(&g, 15, 40), uniform(&g, 6, 15), uniform(&g, -1, 1)},
-                              uniform(&g, 20, 240)});
+      scene.add(
+          FilledEllipse{{c, uniform(g, 15, 40), uniform(g, 6, 15), uniform(g, -1, 1)}, uniform(g, 20, 240)});
   }
   const FeatureSet features = detectFeatures(scene.render(camera, 3, &g), camera);
   EXPECT_GT(features.segments.size(), 40u);

@@ -20,7 +20,7 @@ TEST(EdgePixels, TellPointsApart) {
   int points = 0;
   for (int y = 0; y < kRows; ++y)
     for (int x = 0; x < kCols; ++x)
-      if (uniform(&g, 0, 1) < 0.4) {
+      if (uniform(g, 0, 1) < 0.4) {
         pixels.add(x, y, points);
         truth[y][x] = points++;
       }
@@ -41,7 +41,7 @@ TEST(EdgePoints, AreTheMaximaAlongTheGradient) {
     std::mt19937 g(cols);
     const int rows = 24;
     cv::Mat image(rows, cols, CV_8U);
-    for (int i = 0; i < rows * cols; ++i) image.data[i] = uchar(uniform(&g, 0, 255));
+    for (int i = 0; i < rows * cols; ++i) image.data[i] = uchar(uniform(g, 0, 255));
 
     FeatureOptions options;
     options.noise_factor = 0;

@@ -18,16 +18,16 @@ struct EllipseImage {
 EllipseImage ellipseImage(const Camera& camera, double noise, double smallest, double largest,
                           std::mt19937* g) {
   EllipseImage out;
-  const double background = uniform(g, 60, 190);
+  const double background = uniform(*g, 60, 190);
   SyntheticScene scene(background);
   const double cell_u = camera.width / 4.0, cell_v = camera.height / 3.0;
   for (int k = 0; k < 12; ++k) {
     FilledEllipse e;
-    e.ellipse.b = uniform(g, smallest, largest);
-    e.ellipse.a = std::min(largest * 1.4, e.ellipse.b * uniform(g, 1.0, 2.0));
-    e.ellipse.angle = uniform(g, -M_PI / 2, M_PI / 2);
-    e.ellipse.centre = {(k % 4 + 0.5) * cell_u + uniform(g, -3, 3),
-                        (k / 4 + 0.5) * cell_v + uniform(g, -3, 3)};
+    e.ellipse.b = uniform(*g, smallest, largest);
+    e.ellipse.a = std::min(largest * 1.4, e.ellipse.b * uniform(*g, 1.0, 2.0));
+    e.ellipse.angle = uniform(*g, -M_PI / 2, M_PI / 2);
+    e.ellipse.centre = {(k % 4 + 0.5) * cell_u + uniform(*g, -3, 3),
+                        (k / 4 + 0.5) * cell_v + uniform(*g, -3, 3)};
     e.grey = otherGrey(g, background, 40);
     scene.add(e);
     out.truth.push_back(e);
@@ -120,7 +120,7 @@ TEST(Ellipses, PartlyHidden) {
   for (int i = 0; i < kTries; ++i) {
     SyntheticScene scene(70);
     FilledEllipse e;
-    e.ellipse = {{120, 100}, uniform(&g, 40, 60), uniform(&g, 25, 38), uniform(&g, -1.5, 1.5)};
+    e.ellipse = {{120, 100}, uniform(g, 40, 60), uniform(g, 25, 38), uniform(g, -1.5, 1.5)};
     e.grey = 160;
     scene.add(e);
     ConvexPolygon cover;  // its straight side cuts off the part beyond +0.25 b
@@ -146,7 +146,7 @@ TEST(Ellipses, HexagonsAreNone) {
   for (int i = 0; i < 10; ++i) {
     SyntheticScene scene(80);
     for (int k = 0; k < 4; ++k)
-      scene.add(randomPolygon(&g, {80.0 + 160 * (k % 2), 60.0 + 120 * (k / 2)}, uniform(&g, 18, 45), 6, 190));
+      scene.add(randomPolygon(&g, {80.0 + 160 * (k % 2), 60.0 + 120 * (k / 2)}, uniform(g, 18, 45), 6, 190));
     const FeatureSet features = detectFeatures(scene.render(camera, 2, &g), camera);
     ellipses += int(features.ellipses.size());
     segments += int(features.segments.size());
@@ -221,9 +221,9 @@ TEST(EllipseFit, ReachesTheLeastSquares) {
   std::mt19937 g(7);
   int refined = 0;
   for (int k = 0; k < 200; ++k) {
-    const double b = uniform(&g, 4, 30);
-    const Ellipse truth{{uniform(&g, 50, 60), 80}, b * uniform(&g, 1.1, 2.5), b, uniform(&g, -1.5, 1.5)};
-    const FitPoints points = noisyArc(truth, uniform(&g, 0, 6), uniform(&g, 1.8, 5), 1.2, 0.05, &g);
+    const double b = uniform(g, 4, 30);
+    const Ellipse truth{{uniform(g, 50, 60), 80}, b * uniform(g, 1.1, 2.5), b, uniform(g, -1.5, 1.5)};
+    const FitPoints points = noisyArc(truth, uniform(g, 0, 6), uniform(g, 1.8, 5), 1.2, 0.05, &g);
     const EllipseFit fit = refineEllipse(points, truth, 30);
     if (!fit.valid) continue;
     ++refined;
@@ -241,11 +241,11 @@ TEST(EllipseFit, ReachesTheLeastSquares) {
 TEST(EllipseFit, IsNeverWorseThanItsStart) {
   std::mt19937 g(11);
   for (int k = 0; k < 300; ++k) {
-    const double b = uniform(&g, 2, 12);
-    const Ellipse truth{{50, 80}, b * uniform(&g, 1, 3), b, uniform(&g, -1.5, 1.5)};
-    const FitPoints points = noisyArc(truth, uniform(&g, 0, 6), uniform(&g, 1, 6), 1.0, 0.4, &g);
+    const double b = uniform(g, 2, 12);
+    const Ellipse truth{{50, 80}, b * uniform(g, 1, 3), b, uniform(g, -1.5, 1.5)};
+    const FitPoints points = noisyArc(truth, uniform(g, 0, 6), uniform(g, 1, 6), 1.0, 0.4, &g);
     Eigen::Matrix<double, 5, 1> by;
-    for (int j = 0; j < 5; ++j) by[j] = uniform(&g, -0.2, 0.2) * (j == 4 ? 1 : b);
+    for (int j = 0; j < 5; ++j) by[j] = uniform(g, -0.2, 0.2) * (j == 4 ? 1 : b);
     const Ellipse start = changed(truth, by);
     const EllipseFit fit = refineEllipse(points, start, 6);
     EXPECT_LE(fit.chi2, refineEllipse(points, start, 0).chi2) << k;

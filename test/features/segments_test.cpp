@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "monocular_eye_hand/features/features.h"
+#include "support/camera.h"
 #include "synthetic.h"
 
 namespace monocular_eye_hand {
@@ -67,13 +68,13 @@ void score(const FeatureSet& features, const std::vector<Truth>& truth, Score* t
 
 // Four polygons per image.
 cv::Mat polygonImage(const Camera& camera, double noise, std::mt19937* g, std::vector<Truth>* truth) {
-  const double background = uniform(g, 40, 215);
+  const double background = uniform(*g, 40, 215);
   SyntheticScene scene(background);
   for (int k = 0; k < 4; ++k) {
     const Eigen::Vector2d centre((0.25 + 0.5 * (k % 2)) * camera.width,
                                  (0.25 + 0.5 * (k / 2)) * camera.height);
-    const ConvexPolygon p = randomPolygon(g, centre, uniform(g, 0.14, 0.2) * camera.width,
-                                          3 + int(uniform(g, 0, 3)), otherGrey(g, background, 30));
+    const ConvexPolygon p = randomPolygon(g, centre, uniform(*g, 0.14, 0.2) * camera.width,
+                                          3 + int(uniform(*g, 0, 3)), otherGrey(g, background, 30));
     scene.add(p);
     for (size_t i = 0; i < p.corners.size(); ++i)
       truth->push_back({p.corners[i], p.corners[(i + 1) % p.corners.size()]});
@@ -139,9 +140,7 @@ TEST(Segments, BrightSideIsOnTheNormal) {
 }
 
 TEST(Segments, DistortedLinesComeOutStraight) {
-  Camera camera = testCamera(320, 240);
-  camera.model = DistortionModel::kPlumbBob;
-  camera.d = {-0.3, 0.1, 0.002, -0.001, 0, 0, 0, 0};
+  const Camera camera = withLens(testCamera(320, 240), "plumb_bob", {-0.3, 0.1, 0.002, -0.001, 0});
   std::mt19937 g(5);
   SyntheticScene scene(60);
   ConvexPolygon frame;  // sides near the image border, where the distortion bends them by several pixels

@@ -8,18 +8,12 @@
 #include <vector>
 
 #include "monocular_eye_hand/features/features.h"
+#include "support/camera.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
 
-inline Camera testCamera(int width, int height) {
-  Camera camera;
-  camera.width = width;
-  camera.height = height;
-  camera.fx = camera.fy = 1.1 * width;
-  camera.cx = (width - 1) / 2.0;
-  camera.cy = (height - 1) / 2.0;
-  return camera;
-}
+inline Camera testCamera(int width, int height) { return centredCamera(width, height, 1.1 * width); }
 
 /// A filled shape: `inside` tells whether a rectified pixel position lies in it.
 struct ConvexPolygon {
@@ -115,10 +109,6 @@ class SyntheticScene {
   std::vector<Shape> shapes_;
 };
 
-inline double uniform(std::mt19937* g, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(*g);
-}
-
 inline double median(std::vector<double> v) {
   if (v.empty()) return std::nan("");
   std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
@@ -128,7 +118,7 @@ inline double median(std::vector<double> v) {
 /// A grey value at least `contrast` away from another.
 inline double otherGrey(std::mt19937* g, double grey, double contrast) {
   double v = grey;
-  while (std::fabs(v - grey) < contrast) v = uniform(g, 10, 245);
+  while (std::fabs(v - grey) < contrast) v = uniform(*g, 10, 245);
   return v;
 }
 
@@ -137,9 +127,9 @@ inline ConvexPolygon randomPolygon(std::mt19937* g, const Eigen::Vector2d& centr
                                    double grey) {
   ConvexPolygon p;
   p.grey = grey;
-  const double turn = uniform(g, 0, 2 * M_PI);
+  const double turn = uniform(*g, 0, 2 * M_PI);
   for (int i = 0; i < corners; ++i) {
-    const double a = turn + 2 * M_PI * (i + uniform(g, -0.18, 0.18)) / corners;
+    const double a = turn + 2 * M_PI * (i + uniform(*g, -0.18, 0.18)) / corners;
     p.corners.push_back(centre + radius * Eigen::Vector2d(std::cos(a), std::sin(a)));
   }
   return p;

@@ -36,12 +36,12 @@ cv::Mat apart(double noise, std::mt19937* g) {
   SyntheticScene scene(90);
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 4; ++x) {
-      const Eigen::Vector2d c(40 + 80 * x + uniform(g, -4, 4), 40 + 80 * y + uniform(g, -4, 4));
+      const Eigen::Vector2d c(40 + 80 * x + uniform(*g, -4, 4), 40 + 80 * y + uniform(*g, -4, 4));
       const double grey = otherGrey(g, 90, 40);
       if ((x + y) % 2)
-        scene.add(randomPolygon(g, c, uniform(g, 20, 32), 3 + (x + y) % 3, grey));
+        scene.add(randomPolygon(g, c, uniform(*g, 20, 32), 3 + (x + y) % 3, grey));
       else
-        scene.add(FilledEllipse{{c, uniform(g, 22, 32), uniform(g, 8, 20), uniform(g, -1.5, 1.5)}, grey});
+        scene.add(FilledEllipse{{c, uniform(*g, 22, 32), uniform(*g, 8, 20), uniform(*g, -1.5, 1.5)}, grey});
     }
   return scene.render(testCamera(kWidth, kHeight), noise, g);
 }

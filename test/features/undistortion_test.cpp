@@ -1,4 +1,5 @@
 #include "features/undistortion.h"
+#include "support/camera.h"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +11,7 @@ namespace monocular_eye_hand {
 namespace {
 
 Camera camera(const std::string& lens, const std::vector<double>& coefficients, double focal) {
-  Camera c;
-  c.width = 640;
-  c.height = 480;
-  c.fx = focal;
-  c.fy = 1.01 * focal;
-  c.cx = 318;
-  c.cy = 243;
-  setDistortion(&c, lens, coefficients.data(), coefficients.size());
-  return c;
+  return withLens({640, 480, focal, 1.01 * focal, 318, 243, DistortionModel::kNone, {}}, lens, coefficients);
 }
 
 /// A line of the ideal image as the lens shows it.

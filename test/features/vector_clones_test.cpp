@@ -15,12 +15,12 @@ namespace {
 cv::Mat clutter(int width, int height, double noise, std::mt19937* g) {
   SyntheticScene scene(90);
   for (int k = 0; k < 24; ++k) {
-    const Eigen::Vector2d c(uniform(g, 0, width), uniform(g, 0, height));
+    const Eigen::Vector2d c(uniform(*g, 0, width), uniform(*g, 0, height));
     if (k % 2)
-      scene.add(randomPolygon(g, c, uniform(g, 8, 50), 3 + k % 4, uniform(g, 20, 240)));
+      scene.add(randomPolygon(g, c, uniform(*g, 8, 50), 3 + k % 4, uniform(*g, 20, 240)));
     else
-      scene.add(
-          FilledEllipse{{c, uniform(g, 15, 40), uniform(g, 6, 15), uniform(g, -1, 1)}, uniform(g, 20, 240)});
+      scene.add(FilledEllipse{{c, uniform(*g, 15, 40), uniform(*g, 6, 15), uniform(*g, -1, 1)},
+                              uniform(*g, 20, 240)});
   }
   return scene.render(testCamera(width, height), noise, g);
 }

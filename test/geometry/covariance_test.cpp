@@ -11,8 +11,8 @@ Rigid3 somewhere(double x) { return {expSO3({0.3 * x, -0.8, 0.5 + x}), {0.1 * x,
 
 TEST(Covariance, MotionsAgreeWithDifferences) {
   const Rigid3 a_from_b = somewhere(1), b_from_c = somewhere(2), z_from_a = somewhere(3);
-  const Matrix6d offset = motionAtOffset(a_from_b.rotation * b_from_c.translation);
-  const Matrix6d axes = motionInAxes(z_from_a.rotation);
+  const Matrix6d offset = adjointOfTranslation(a_from_b.rotation * b_from_c.translation);
+  const Matrix6d axes = adjointOfRotation(z_from_a.rotation);
   for (int k = 0; k < 6; ++k) {
     const Vector6d d = 1e-6 * Vector6d::Unit(k);
     EXPECT_LT(
@@ -27,7 +27,7 @@ TEST(Covariance, MotionsAgreeWithDifferences) {
 TEST(Covariance, CarriedIsSymmetric) {
   Matrix6d root = Matrix6d::Identity();
   for (int k = 0; k < 36; ++k) root(k / 6, k % 6) += std::sin(5.0 * k);
-  const Matrix6d c = carried(motionAtOffset({0.1, 0.2, 0.3}), root * root.transpose());
+  const Matrix6d c = propagate(adjointOfTranslation({0.1, 0.2, 0.3}), root * root.transpose());
   EXPECT_EQ(c, c.transpose());
   EXPECT_NO_THROW(requireCovariance(c, "it"));
 }

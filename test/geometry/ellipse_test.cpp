@@ -1,4 +1,5 @@
 #include "monocular_eye_hand/geometry/ellipse.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -18,16 +19,13 @@ double value(const Matrix3d& conic, const Vector2d& uv) {
 }
 
 TEST(Ellipse, ConicThereAndBack) {
-  std::mt19937_64 random(2);
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+  Random random(2);
   for (int i = 0; i < 1000; ++i) {
     Ellipse e;
-    e.centre = {uniform(-200, 2000), uniform(-200, 1200)};
-    e.a = uniform(3, 300);
-    e.b = e.a * uniform(0.05, 0.99);
-    e.angle = uniform(-M_PI / 2, M_PI / 2);
+    e.centre = {uniform(random, -200, 2000), uniform(random, -200, 1200)};
+    e.a = uniform(random, 3, 300);
+    e.b = e.a * uniform(random, 0.05, 0.99);
+    e.angle = uniform(random, -M_PI / 2, M_PI / 2);
     const Matrix3d conic = e.conic();
     EXPECT_NEAR(conic.norm(), 1, 1e-14);
     EXPECT_EQ((conic - conic.transpose()).norm(), 0);

@@ -1,4 +1,5 @@
 #include "monocular_eye_hand/geometry/rigid3.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,15 @@ using Eigen::Vector3d;
 
 class Rigid3Test : public ::testing::Test {
  protected:
-  double normal() { return std::normal_distribution<double>()(random_); }
-  Vector3d vector() {
-    const double x = normal(), y = normal(), z = normal();
-    return {x, y, z};
+  Vector3d vector() { return randomVector(random_); }
+  Rigid3 pose() {
+    const Vector3d axis = randomDirection(random_);
+    return {expSO3(axis * std::abs(normal(random_))), vector()};
   }
-  Rigid3 pose() { return {expSO3(vector().normalized() * std::abs(normal())), vector()}; }
   static double distance(const Rigid3& a, const Rigid3& b) {
     return (a.rotation - b.rotation).norm() + (a.translation - b.translation).norm();
   }
-  std::mt19937_64 random_{1};
+  Random random_{1};
 };
 
 TEST_F(Rigid3Test, GroupLaws) {
@@ -92,7 +92,7 @@ TEST_F(Rigid3Test, NearestRotation) {
     EXPECT_LT((nearestRotation(r) - r).norm(), 1e-14);
     EXPECT_LT((nearestRotation(3.7 * r) - r).norm(), 1e-14);
     Matrix3d noisy = r;
-    for (int k = 0; k < 9; ++k) noisy(k) += 0.1 * normal();
+    for (int k = 0; k < 9; ++k) noisy(k) += 0.1 * normal(random_);
     const Matrix3d nearest = nearestRotation(noisy);
     EXPECT_NEAR(nearest.determinant(), 1, 1e-14);
     for (int k = 0; k < 20; ++k)  // no neighbour is nearer

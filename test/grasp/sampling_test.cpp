@@ -9,6 +9,7 @@
 #include "monocular_eye_hand/mesh/ray_scene.h"
 #include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/options/options.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -163,29 +164,19 @@ TEST(Sampling, CentreOfMass) {
   EXPECT_LT((centreOfMass(bridge) - Eigen::Vector3d(0, 0, z)).norm(), 1e-6);
 }
 
-template <class Function>
-std::string failure(const Function& function) {
-  try {
-    function();
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "no error";
-}
-
 TEST(Sampling, BadInputIsNamed) {
   const ObjectModel model = boxModel(0.15, 0.04, 0.06);
   GripperOptions gripper;
-  EXPECT_THAT(failure([&] { readOptions(parseYaml("opening_max: -1"), &gripper); }),
+  EXPECT_THAT(refusal([&] { readOptions(parseYaml("opening_max: -1"), &gripper); }),
               HasSubstr("opening_max = -1 must be above opening_min"));
-  EXPECT_THAT(failure([&] { readOptions(parseYaml("body: [{size: [0, 1, 1]}]"), &gripper); }),
+  EXPECT_THAT(refusal([&] { readOptions(parseYaml("body: [{size: [0, 1, 1]}]"), &gripper); }),
               HasSubstr("size[0] = 0"));
   gripper.friction = 0;
-  EXPECT_THAT(failure([&] { sampleGrasps(model, gripper); }), HasSubstr("friction = 0"));
+  EXPECT_THAT(refusal([&] { sampleGrasps(model, gripper); }), HasSubstr("friction = 0"));
   GraspSamplingOptions options;
   options.step = 0;
-  EXPECT_THAT(failure([&] { sampleGrasps(model, {}, options); }), HasSubstr("step = 0 must be above 0"));
-  EXPECT_THAT(failure([&] { sampleGrasps(ObjectModel{}, {}); }), HasSubstr("not built"));
+  EXPECT_THAT(refusal([&] { sampleGrasps(model, {}, options); }), HasSubstr("step = 0 must be positive"));
+  EXPECT_THAT(refusal([&] { sampleGrasps(ObjectModel{}, {}); }), HasSubstr("not built"));
 }
 
 }  // namespace

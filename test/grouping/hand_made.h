@@ -5,19 +5,12 @@
 
 #include "grouping/segment_ends.h"
 #include "monocular_eye_hand/grouping/grouping.h"
+#include "support/random.h"
 
 // Models and features made by hand, so that these tests depend on no other room's algorithms.
 namespace monocular_eye_hand::hand_made {
 
-inline Camera camera() {
-  Camera c;
-  c.width = 640;
-  c.height = 480;
-  c.fx = c.fy = 600;
-  c.cx = 320;
-  c.cy = 240;
-  return c;
-}
+inline Camera camera() { return {640, 480, 600, 600, 320, 240, DistortionModel::kNone, {}}; }
 
 inline int addSegment(FeatureSet* f, Eigen::Vector2d p, Eigen::Vector2d q) {
   LineSegment s;
@@ -144,7 +137,7 @@ inline ViewSphere views(const ObjectModel& m, double distance, int count) {
         ContourSample s;
         s.p = m.edges[e].p + (k + 0.5) / 10 * (m.edges[e].q - m.edges[e].p);
         s.tangent = (m.edges[e].q - m.edges[e].p).normalized();
-        s.group = e;
+        s.feature = e;
         view.contour.push_back(s);
       }
     }
@@ -160,9 +153,7 @@ inline KnownObject known(const ObjectModel& m, int view_count = 2000) {
 
 /// A pose that looks at the object's origin from a random side.
 inline Rigid3 randomPose(std::mt19937* random, double distance) {
-  std::normal_distribution<double> normal;
-  Eigen::Quaterniond q(normal(*random), normal(*random), normal(*random), normal(*random));
-  return {q.normalized().toRotationMatrix(), Eigen::Vector3d(0, 0, distance)};
+  return {randomRotation(*random), Eigen::Vector3d(0, 0, distance)};
 }
 
 /// The visible edges of a convex polyhedron as segments; segment i is the image of edge (*edges)[i].

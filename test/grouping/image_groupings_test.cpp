@@ -5,7 +5,7 @@
 #include <set>
 
 #include "hand_made.h"
-#include "monocular_eye_hand/geometry/error.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -338,19 +338,14 @@ TEST(Candidates, NeedWhatTheGroupingShows) {
     else if (g.kind == GroupingKind::kEllipsePair || g.kind == GroupingKind::kEllipseLine)
       EXPECT_TRUE(g.candidates.empty());
     else
-      EXPECT_EQ(g.candidates, std::vector<int>{0}) << name(g.kind);
+      EXPECT_EQ(g.candidates, std::vector<int>{0}) << toString(g.kind);
   }
 }
 
 TEST(Options, AreChecked) {
   GroupingOptions().check();
   const auto message = [](GroupingOptions o) -> std::string {
-    try {
-      groupFeatures(empty(), {}, o);
-    } catch (const BadInput& e) {
-      return e.what();
-    }
-    return "";
+    return refusal([&] { groupFeatures(empty(), {}, o); });
   };
   GroupingOptions o;
   o.corner_gap = -1;

@@ -48,7 +48,7 @@ TEST(ModelGroupings, WithoutSymmetriesEverythingIsCounted) {
     const size_t orders = m.kind == GroupingKind::kTriplet                                         ? 3
                           : m.kind == GroupingKind::kQuad || m.kind == GroupingKind::kParallelPair ? 4
                                                                                                    : 2;
-    EXPECT_EQ(m.orders.size(), orders) << name(m.kind);
+    EXPECT_EQ(m.orders.size(), orders) << toString(m.kind);
   }
 }
 
@@ -74,7 +74,7 @@ TEST(ModelGroupings, WeightIsTheShareOfTheViewSphere) {
         for (int e : g.edges) all &= visible(m.edges[e], 2.5 * m.diameter * d);
         count += all;
       }
-      EXPECT_NEAR(g.weight, double(count) / directions.size(), 0.01) << name(g.kind);
+      EXPECT_NEAR(g.weight, double(count) / directions.size(), 0.01) << toString(g.kind);
     }
   }
 }
@@ -224,13 +224,13 @@ TEST(Correspondences, HoldEveryTrueOrder) {
           const bool any = std::any_of(groupings.begin(), groupings.end(), [&](const ModelGrouping& model) {
             return explained(g, model, f.camera, pose, m.symmetries.discrete, 4.0);
           });
-          EXPECT_TRUE(any) << name(g.kind) << " " << name(g.shape) << " trial " << trial;
+          EXPECT_TRUE(any) << toString(g.kind) << " " << toString(g.shape) << " trial " << trial;
         }
       }
 
       for (GroupingKind kind : {GroupingKind::kEdge, GroupingKind::kJunction, GroupingKind::kTriplet,
                                 GroupingKind::kChain, GroupingKind::kQuad})
-        EXPECT_GT(checked[int(kind)], 20) << name(kind);
+        EXPECT_GT(checked[int(kind)], 20) << toString(kind);
     }
   }
 }

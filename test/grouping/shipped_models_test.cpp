@@ -33,14 +33,14 @@ FeatureSet projectVisible(const ObjectModel& m, const Rigid3& camera_from_object
   FeatureSet f = empty();
   ContourOptions options;
   options.step = m.diameter / 150;
-  std::vector<int> samples(m.groupCount(), 0);
+  std::vector<int> samples(m.featureCount(), 0);
   for (const ContourSample& s : visibleContour(m, camera_from_object.inverse().translation, options))
-    ++samples[s.group];
+    ++samples[s.feature];
   edges->clear();
   std::normal_distribution<double> normal(0, 0.05);
   for (int e = 0; e < int(m.edges.size()); ++e) {
     const double length = (m.edges[e].q - m.edges[e].p).norm();
-    if (samples[m.groupOfEdge(e)] < 0.95 * length / options.step) continue;
+    if (samples[m.featureOfEdge(e)] < 0.95 * length / options.step) continue;
     Eigen::Vector2d p = f.camera.project(camera_from_object * m.edges[e].p);
     Eigen::Vector2d q = f.camera.project(camera_from_object * m.edges[e].q);
     if ((p - q).norm() < 20) continue;
@@ -138,11 +138,11 @@ TEST_P(Shipped, CandidatesAndOrdersHoldTheTruth) {
       // A ring in space is no face, even when it looks like one.
       if (g.kind == GroupingKind::kQuad && !flat(object, g, edges)) continue;
       ++checked;
-      EXPECT_TRUE(std::binary_search(g.candidates.begin(), g.candidates.end(), index)) << name(g.kind);
+      EXPECT_TRUE(std::binary_search(g.candidates.begin(), g.candidates.end(), index)) << toString(g.kind);
       EXPECT_TRUE(
           std::any_of(groupings.begin(), groupings.end(),
                       [&](const ModelGrouping& m) { return explained(g, m, object, f.camera, pose); }))
-          << name(g.kind) << " " << name(g.shape) << " trial " << trial;
+          << toString(g.kind) << " " << toString(g.shape) << " trial " << trial;
     }
   }
   EXPECT_GT(checked, 200);

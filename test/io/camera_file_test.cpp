@@ -1,5 +1,6 @@
 #include "monocular_eye_hand/io/camera_file.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -9,21 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 void expectRefused(const std::function<void()>& call, const std::vector<std::string>& named) {
-  try {
-    call();
-    ADD_FAILURE() << "accepted; expected a message about " << (named.empty() ? "it" : named[0]);
-  } catch (const BadInput& e) {
-    for (const std::string& word : named)
-      EXPECT_NE(std::string(e.what()).find(word), std::string::npos)
-          << "'" << word << "' not in: " << e.what();
-    EXPECT_EQ(std::string(e.what()).find("bad conversion"), std::string::npos) << e.what();
-  }
+  const std::string message = refusal(call);
+  EXPECT_NE(message, kAccepted);
+  for (const std::string& word : named) EXPECT_THAT(message, testing::HasSubstr(word));
+  EXPECT_EQ(message.find("bad conversion"), std::string::npos) << message;
 }
 
 class CameraFiles : public ::testing::Test {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -32,12 +32,8 @@ class FilePath : public testing::Test {
     fs::create_directories(root_ / folder / "meshes");
     std::ofstream(root_ / folder / "package.xml") << "<package>\n  <name>" << name << "</name>\n</package>\n";
   }
-  static std::string refusal(const std::string& name) {
-    try {
-      return "accepted: " + resolvedPath(name, "/parts");
-    } catch (const BadInput& e) {
-      return e.what();
-    }
+  static std::string refusalOf(const std::string& name) {
+    return refusal([&] { resolvedPath(name, "/parts"); });
   }
   static bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -57,10 +53,10 @@ TEST_F(FilePath, PackagesAreFound) {
   EXPECT_EQ(resolvedPath("package://my_parts/meshes/a.stl"), parts + "/meshes/a.stl");
   EXPECT_EQ(resolvedPath("package://arm_description/meshes/a.stl", "/x"), arm + "/meshes/a.stl");
   EXPECT_EQ(resolvedPath("$(find arm_description)/a.stl", "/x"), arm + "/a.stl");
-  EXPECT_TRUE(holds(refusal("package://no_such_package/a.stl"), "no_such_package"));
-  EXPECT_TRUE(holds(refusal("package://no_such_package/a.stl"), "ROS_PACKAGE_PATH"));
-  EXPECT_TRUE(holds(refusal("package://my_parts"), "a file must follow"));
-  EXPECT_TRUE(holds(refusal("package://a;b/c.stl"), "no name of a ROS package"));
+  EXPECT_TRUE(holds(refusalOf("package://no_such_package/a.stl"), "no_such_package"));
+  EXPECT_TRUE(holds(refusalOf("package://no_such_package/a.stl"), "ROS_PACKAGE_PATH"));
+  EXPECT_TRUE(holds(refusalOf("package://my_parts"), "a file must follow"));
+  EXPECT_TRUE(holds(refusalOf("package://a;b/c.stl"), "no name of a ROS package"));
 }
 
 TEST_F(FilePath, InstalledPackagesAreFound) {
@@ -74,9 +70,9 @@ TEST_F(FilePath, FileUrls) {
   EXPECT_EQ(resolvedPath("file:///a/part.stl", "/x"), "/a/part.stl");
   EXPECT_EQ(resolvedPath("file://localhost/a/part.stl", "/x"), "/a/part.stl");
   EXPECT_EQ(resolvedPath("file:///a/my%20part.stl", "/x"), "/a/my part.stl");
-  EXPECT_TRUE(holds(refusal("file://part.stl"), "three slashes"));
-  EXPECT_TRUE(holds(refusal("http://host/part.stl"), "http:// is not supported"));
-  EXPECT_TRUE(holds(refusal("model://part/part.stl"), "model:// is not supported"));
+  EXPECT_TRUE(holds(refusalOf("file://part.stl"), "three slashes"));
+  EXPECT_TRUE(holds(refusalOf("http://host/part.stl"), "http:// is not supported"));
+  EXPECT_TRUE(holds(refusalOf("model://part/part.stl"), "model:// is not supported"));
 }
 
 TEST_F(FilePath, HomesAndVariables) {
@@ -84,9 +80,9 @@ TEST_F(FilePath, HomesAndVariables) {
   EXPECT_EQ(resolvedPath("$PARTS_FOLDER/part.stl", "/x"), root_.string() + "/parts/part.stl");
   EXPECT_EQ(resolvedPath("${PARTS_FOLDER}_2/part.stl", "/x"), root_.string() + "/parts_2/part.stl");
   EXPECT_EQ(resolvedPath("$(env PARTS_FOLDER)/part.stl", "/x"), root_.string() + "/parts/part.stl");
-  EXPECT_TRUE(holds(refusal("$NO_SUCH_VARIABLE/part.stl"), "\"NO_SUCH_VARIABLE\" is not set"));
-  EXPECT_TRUE(holds(refusal("${PARTS_FOLDER/part.stl"), "\"}\" is missing"));
-  EXPECT_TRUE(holds(refusal("~nobody_of_this_name/part.stl"), "nobody_of_this_name"));
+  EXPECT_TRUE(holds(refusalOf("$NO_SUCH_VARIABLE/part.stl"), "\"NO_SUCH_VARIABLE\" is not set"));
+  EXPECT_TRUE(holds(refusalOf("${PARTS_FOLDER/part.stl"), "\"}\" is missing"));
+  EXPECT_TRUE(holds(refusalOf("~nobody_of_this_name/part.stl"), "nobody_of_this_name"));
 }
 
 TEST_F(FilePath, ExistingFilesMayHaveAnyName) {

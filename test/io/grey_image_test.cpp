@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "monocular_eye_hand/geometry/error.h"
+#include "support/refusal.h"
 #include "temp_folder.h"
 
 namespace monocular_eye_hand {
@@ -20,16 +20,11 @@ cv::Mat picture() {
   return image;
 }
 
-std::string refusal(const std::string& path) {
-  try {
-    loadGreyImage(path);
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "accepted";
+std::string refusalOf(const std::string& path) {
+  return refusal([&] { loadGreyImage(path); });
 }
 
-TEST(GreyImage, every_format_is_read) {
+TEST(GreyImage, EveryFormatIsRead) {
   TempFolder folder;
   for (const char* name : {"a.png", "a.tif", "a.bmp", "a.pgm"}) {
     cv::imwrite(folder.path(name), picture());
@@ -41,7 +36,7 @@ TEST(GreyImage, every_format_is_read) {
   EXPECT_EQ(loadGreyImage(folder.path("c.jpg")).type(), CV_8UC1);
 }
 
-TEST(GreyImage, a_file_cut_off_anywhere_is_refused) {
+TEST(GreyImage, AFileCutOffAnywhereIsRefused) {
   TempFolder folder;
   for (const char* name : {"a.png", "a.jpg"}) {
     cv::imwrite(folder.path(name), picture());
@@ -50,19 +45,19 @@ TEST(GreyImage, a_file_cut_off_anywhere_is_refused) {
       const std::string cut = folder.path(std::string("cut_") + name);
       std::filesystem::copy_file(folder.path(name), cut, std::filesystem::copy_options::overwrite_existing);
       std::filesystem::resize_file(cut, std::uintmax_t(double(size) * share));
-      EXPECT_THAT(refusal(cut), HasSubstr(cut)) << share;
+      EXPECT_THAT(refusalOf(cut), HasSubstr(cut)) << share;
     }
   }
 }
 
-TEST(GreyImage, what_is_no_image_is_refused) {
+TEST(GreyImage, WhatIsNoImageIsRefused) {
   TempFolder folder;
   folder.write("empty.png", "");
   folder.write("text.png", "a picture, honestly");
-  EXPECT_THAT(refusal(folder.path("empty.png")), HasSubstr("empty.png: the file is empty"));
-  EXPECT_THAT(refusal(folder.path("text.png")), HasSubstr("text.png: cannot be read as an image"));
-  EXPECT_THAT(refusal(folder.path("missing.png")), HasSubstr("missing.png: cannot be read"));
-  EXPECT_THAT(refusal(folder.path()), HasSubstr("cannot be read"));
+  EXPECT_THAT(refusalOf(folder.path("empty.png")), HasSubstr("empty.png: the file is empty"));
+  EXPECT_THAT(refusalOf(folder.path("text.png")), HasSubstr("text.png: cannot be read as an image"));
+  EXPECT_THAT(refusalOf(folder.path("missing.png")), HasSubstr("missing.png: cannot be read"));
+  EXPECT_THAT(refusalOf(folder.path()), HasSubstr("cannot be read"));
 }
 
 }  // namespace

@@ -35,12 +35,12 @@ class ImageFiles : public testing::Test {
   std::string folder_;
 };
 
-TEST_F(ImageFiles, folder_by_number) {
+TEST_F(ImageFiles, FolderByNumber) {
   EXPECT_THAT(names(""), ElementsAre("img_1.JPG", "img_2.png", "img_0003.png", "img_10.png", "img_x.png"));
   EXPECT_THROW(names("empty"), BadInput);
 }
 
-TEST_F(ImageFiles, pattern) {
+TEST_F(ImageFiles, Pattern) {
   EXPECT_THAT(names("img_%d.png"), ElementsAre("img_2.png", "img_10.png"));
   EXPECT_THAT(names("img_%04d.png"), ElementsAre("img_0003.png"));
   EXPECT_THROW(names("other_%d.png"), BadInput);
@@ -48,7 +48,7 @@ TEST_F(ImageFiles, pattern) {
   EXPECT_THROW(names("img_%d_%d.png"), BadInput);
 }
 
-TEST_F(ImageFiles, a_file_is_itself_even_where_it_is_missing) {
+TEST_F(ImageFiles, AFileIsItselfEvenWhereItIsMissing) {
   EXPECT_THAT(names("img_2.png"), ElementsAre("img_2.png"));
   EXPECT_THAT(imageFiles("/nowhere/a.png"), ElementsAre("/nowhere/a.png"));
 }

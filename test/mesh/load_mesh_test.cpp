@@ -5,6 +5,7 @@
 
 #include "mesh_file.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -65,13 +66,9 @@ TEST(LoadMesh, UnitsAreStated) {
   expectBox(load("stl", asciiStl(kBox), "cm"), 0.4, 0.5, 0.6);
   expectBox(load("stl", asciiStl(kBox), "inch"), 40 * 0.0254, 50 * 0.0254, 60 * 0.0254);
   EXPECT_EQ(metresPerUnit("mm"), 0.001);
-  try {
-    metresPerUnit("furlong");
-    FAIL();
-  } catch (const BadInput& e) {
-    EXPECT_THAT(e.what(), HasSubstr("furlong"));
-    EXPECT_THAT(e.what(), HasSubstr("m, cm, mm, inch"));
-  }
+  const std::string message = refusal([&] { metresPerUnit("furlong"); });
+  EXPECT_THAT(message, HasSubstr("furlong"));
+  EXPECT_THAT(message, HasSubstr("m, cm, mm, inch"));
 }
 
 std::string plyText(const std::string& vertices, const std::string& faces, int nv, int nf) {
@@ -99,57 +96,59 @@ TEST(LoadMesh, PolygonsAreTriangulatedInsideTheirOutline) {
 TEST(LoadMesh, BadFilesAreRefusedWithTheReason) {
   EXPECT_THROW(loadMesh("/no/such/file.stl", "mm"), BadInput);
   EXPECT_THROW(loadMesh(testing::TempDir(), "mm"), BadInput);
-  EXPECT_THAT(failure("stl", ""), HasSubstr("empty"));
-  EXPECT_THAT(failure("step", "ISO-10303"), HasSubstr("unknown kind"));
-  EXPECT_THAT(failure("stl", "hello"), HasSubstr("where solid should stand"));
-  EXPECT_THAT(failure("stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 x 2\n"), HasSubstr("line 4"));
-  EXPECT_THAT(failure("stl", "solid a\nendsolid a\n"), HasSubstr("no triangles"));
+  EXPECT_THAT(refusalOf("stl", ""), HasSubstr("empty"));
+  EXPECT_THAT(refusalOf("step", "ISO-10303"), HasSubstr("unknown kind"));
+  EXPECT_THAT(refusalOf("stl", "hello"), HasSubstr("where solid should stand"));
+  EXPECT_THAT(refusalOf("stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 x 2\n"),
+              HasSubstr("line 4"));
+  EXPECT_THAT(refusalOf("stl", "solid a\nendsolid a\n"), HasSubstr("no triangles"));
   std::string nan = asciiStl(kBox);
   nan.replace(nan.find("vertex") + 7, 3, "nan");
-  EXPECT_THAT(failure("stl", nan), HasSubstr("finite"));
+  EXPECT_THAT(refusalOf("stl", nan), HasSubstr("finite"));
   std::string binary_nan = binaryStl(kBox);
   const float not_a_number = std::nanf(""), infinite = INFINITY;
   std::memcpy(&binary_nan[84 + 12], &not_a_number, 4);
-  EXPECT_THAT(failure("stl", binary_nan), HasSubstr("finite"));
+  EXPECT_THAT(refusalOf("stl", binary_nan), HasSubstr("finite"));
   std::memcpy(&binary_nan[84 + 12], &infinite, 4);
-  EXPECT_THAT(failure("stl", binary_nan), HasSubstr("finite"));
+  EXPECT_THAT(refusalOf("stl", binary_nan), HasSubstr("finite"));
   std::string absurd = binaryStl(kBox).substr(0, 84 + 11 * 50);
   std::memset(&absurd[80], 0x7f, 4);
-  EXPECT_THAT(failure("stl", absurd), HasSubstr("2139062143 triangles"));
+  EXPECT_THAT(refusalOf("stl", absurd), HasSubstr("2139062143 triangles"));
 }
 
 TEST(LoadMesh, BadPlyFilesAreRefusedWithTheReason) {
-  EXPECT_THAT(failure("ply", "plx\n"), HasSubstr("ply"));
-  EXPECT_THAT(failure("ply", "ply\nelement vertex 1\nend_header\n1\n"), HasSubstr("format"));
-  EXPECT_THAT(failure("ply", "ply\nformat ascii 2.0\nend_header\n\n"), HasSubstr("1.0"));
-  EXPECT_THAT(failure("ply", "ply\nformat nonsense 1.0\nend_header\n\n"), HasSubstr("nonsense"));
+  EXPECT_THAT(refusalOf("ply", "plx\n"), HasSubstr("ply"));
+  EXPECT_THAT(refusalOf("ply", "ply\nelement vertex 1\nend_header\n1\n"), HasSubstr("format"));
+  EXPECT_THAT(refusalOf("ply", "ply\nformat ascii 2.0\nend_header\n\n"), HasSubstr("1.0"));
+  EXPECT_THAT(refusalOf("ply", "ply\nformat nonsense 1.0\nend_header\n\n"), HasSubstr("nonsense"));
 
-  EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 4\n", 4, 1)), HasSubstr("vertex 4"));
-  EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 -1\n", 4, 1)), HasSubstr("vertex -1"));
-  EXPECT_THAT(failure("ply", plyText(kFour, "2 0 1\n", 4, 1)), HasSubstr("no triangles"));
-  EXPECT_THAT(failure("ply", plyText(kFour, "3 0 1 2\n", 4, 2000000000)), HasSubstr("damaged"));
-  EXPECT_THAT(failure("ply", plyText(kFour, "99999 0 1 2\n", 4, 1)), HasSubstr("damaged"));
-  EXPECT_THAT(failure("ply", plyText(kFour, "-3 0 1 2\n", 4, 1)), HasSubstr("damaged"));
+  EXPECT_THAT(refusalOf("ply", plyText(kFour, "3 0 1 4\n", 4, 1)), HasSubstr("vertex 4"));
+  EXPECT_THAT(refusalOf("ply", plyText(kFour, "3 0 1 -1\n", 4, 1)), HasSubstr("vertex -1"));
+  EXPECT_THAT(refusalOf("ply", plyText(kFour, "2 0 1\n", 4, 1)), HasSubstr("no triangles"));
+  EXPECT_THAT(refusalOf("ply", plyText(kFour, "3 0 1 2\n", 4, 2000000000)), HasSubstr("damaged"));
+  EXPECT_THAT(refusalOf("ply", plyText(kFour, "99999 0 1 2\n", 4, 1)), HasSubstr("damaged"));
+  EXPECT_THAT(refusalOf("ply", plyText(kFour, "-3 0 1 2\n", 4, 1)), HasSubstr("damaged"));
 
-  EXPECT_THAT(failure("ply", plyText("0 0 0\n1 0 inf\n1 1 0\n0 1 0\n", "3 0 1 2\n", 4, 1)),
+  EXPECT_THAT(refusalOf("ply", plyText("0 0 0\n1 0 inf\n1 1 0\n0 1 0\n", "3 0 1 2\n", 4, 1)),
               HasSubstr("finite"));
-  EXPECT_THAT(failure("ply", plyText("0 0 0\n1 0 1e999\n1 1 0\n0 1 0\n", "3 0 1 2\n", 4, 1)),
+  EXPECT_THAT(refusalOf("ply", plyText("0 0 0\n1 0 1e999\n1 1 0\n0 1 0\n", "3 0 1 2\n", 4, 1)),
               HasSubstr("finite"));
-  EXPECT_THAT(failure("ply", plyText(kFour, "", 4, 0)), HasSubstr("no triangles"));
+  EXPECT_THAT(refusalOf("ply", plyText(kFour, "", 4, 0)), HasSubstr("no triangles"));
 
   EXPECT_THAT(
-      failure("ply",
-              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nelement face 0\n"
-              "property list uchar int vertex_index\nend_header\n1 2\n"),
+      refusalOf(
+          "ply",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nelement face 0\n"
+          "property list uchar int vertex_index\nend_header\n1 2\n"),
       HasSubstr("\"z\""));
-  EXPECT_THAT(failure("ply",
-                      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                      "property float z\nend_header\n1 2 3\n"),
+  EXPECT_THAT(refusalOf("ply",
+                        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                        "property float z\nend_header\n1 2 3\n"),
               HasSubstr("face"));
-  EXPECT_THAT(failure("ply",
-                      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000000000000\n"
-                      "property float x\nproperty float y\nproperty float z\nelement face 1\n"
-                      "property list uchar int vertex_indices\nend_header\n1234"),
+  EXPECT_THAT(refusalOf("ply",
+                        "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000000000000\n"
+                        "property float x\nproperty float y\nproperty float z\nelement face 1\n"
+                        "property list uchar int vertex_indices\nend_header\n1234"),
               HasSubstr("damaged"));
 }
 

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <string>
 
-#include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "shapes.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 
@@ -30,15 +30,13 @@ class MeshFile {
 };
 
 /// The message with which a file is refused.
-inline std::string failure(const std::string& extension, const std::string& bytes) {
+inline std::string refusalOf(const std::string& extension, const std::string& bytes) {
   const MeshFile file(extension, bytes);
-  try {
-    loadMesh(file.path, "mm");
-  } catch (const BadInput& e) {
-    EXPECT_NE(std::string(e.what()).find(file.path), std::string::npos) << e.what();
-    return e.what();
+  const std::string message = refusal([&] { loadMesh(file.path, "mm"); });
+  if (message != kAccepted) {
+    EXPECT_NE(message.find(file.path), std::string::npos) << message;
   }
-  return "no error";
+  return message;
 }
 
 template <class T>

@@ -102,15 +102,15 @@ TEST(Contour, CubeFromACornerShowsNineEdges) {
   std::map<int, int> per_edge;
   std::map<int, bool> silhouette;
   for (const ContourSample& s : contour) {
-    ++per_edge[s.group];
-    silhouette[s.group] = s.silhouette;
+    ++per_edge[s.feature];
+    silhouette[s.feature] = s.silhouette;
     EXPECT_EQ(s.silhouette, s.inner_side != 0);
   }
   EXPECT_EQ(per_edge.size(), 9u);
   int outline = 0;
-  for (const auto& [group, samples] : per_edge) {
+  for (const auto& [feature, samples] : per_edge) {
     EXPECT_EQ(samples, 20);
-    outline += silhouette[group];
+    outline += silhouette[feature];
   }
   EXPECT_EQ(outline, 6);  // the hexagon
 }
@@ -120,16 +120,17 @@ TEST(Contour, SamplesStandOneStepApartWithTheRestAtBothEnds) {
   ContourOptions options;
   options.step = 0.0073;
   std::map<int, std::vector<Eigen::Vector3d>> points;
-  for (const ContourSample& s : visibleContour(m, {0.3, 0.35, 0.4}, options)) points[s.group].push_back(s.p);
-  for (const auto& [group, p] : points) {
+  for (const ContourSample& s : visibleContour(m, {0.3, 0.35, 0.4}, options))
+    points[s.feature].push_back(s.p);
+  for (const auto& [feature, p] : points) {
     for (size_t k = 1; k < p.size(); ++k) EXPECT_NEAR((p[k] - p[k - 1]).norm(), options.step, 1e-12);
-    const ModelEdge& e = m.edges[group];
+    const ModelEdge& e = m.edges[feature];
     EXPECT_NEAR((p.front() - e.p).norm(), (p.back() - e.q).norm(), 1e-12);
     EXPECT_LT((p.front() - e.p).norm(), options.step);
   }
   options.step = 10;  // longer than any edge: one sample each, in the middle
   for (const ContourSample& s : visibleContour(m, {0.3, 0.35, 0.4}, options)) {
-    EXPECT_LT((s.p - 0.5 * (m.edges[s.group].p + m.edges[s.group].q)).norm(), 1e-9);
+    EXPECT_LT((s.p - 0.5 * (m.edges[s.feature].p + m.edges[s.feature].q)).norm(), 1e-9);
   }
 }
 
@@ -152,12 +153,12 @@ TEST(Contour, AgreesWithBruteForceOnSharpFeatures) {
     int agreed = 0, shown = 0, wrong = 0;
     for (const Eigen::Vector3d& eye : eyes(m, 40, 9)) {
       const auto contour = visibleContour(m, eye, options);
-      const auto has = [&](const Eigen::Vector3d& p, int group) {
+      const auto has = [&](const Eigen::Vector3d& p, int feature) {
         return std::any_of(contour.begin(), contour.end(), [&](const ContourSample& s) {
-          return s.group == group && (s.p - p).norm() < 1e-9;
+          return s.feature == feature && (s.p - p).norm() < 1e-9;
         });
       };
-      const auto judge = [&](const Eigen::Vector3d& p, int group) {
+      const auto judge = [&](const Eigen::Vector3d& p, int feature) {
         // Points that depend on how close is "behind" are not judged: a grazing view, another surface close
         // by.
         const bool strict = seenByBruteForce(m.mesh, eye, p, 0.0005 * m.diameter);
@@ -165,7 +166,7 @@ TEST(Contour, AgreesWithBruteForceOnSharpFeatures) {
         if (strict != lax) return;
         ++agreed;
         shown += strict;
-        wrong += has(p, group) != strict;
+        wrong += has(p, feature) != strict;
       };
 
       for (size_t e = 0; e < m.edges.size(); ++e) {
@@ -174,12 +175,12 @@ TEST(Contour, AgreesWithBruteForceOnSharpFeatures) {
         const int n = std::max(1, int(std::lround(length / options.step)));
         for (int k = 0; k < n; ++k) {
           const double s = 0.5 * (length - (n - 1) * options.step) + k * options.step;
-          judge(edge.p + s / length * (edge.q - edge.p), m.groupOfEdge(int(e)));
+          judge(edge.p + s / length * (edge.q - edge.p), m.featureOfEdge(int(e)));
         }
       }
 
       for (const ContourSample& s : contour) {
-        if (s.group < int(m.edges.size()) || s.group >= m.groupOfSilhouette(0)) continue;
+        if (s.feature < int(m.edges.size()) || s.feature >= m.featureOfSilhouette(0)) continue;
         // Circles: no visible sample may lie behind something. (The true rim of a hole lies in the
         // tessellation.)
         const bool behind = !seenByBruteForce(m.mesh, eye, s.p, 0.03 * m.diameter);
@@ -200,10 +201,10 @@ TEST(Contour, WholeCircleIsVisibleFromAboveAndHalfHiddenInABore) {
   for (const double tilt : {0.0, 0.4, 0.9}) {
     const Eigen::Vector3d eye = m.centre() + 0.3 * Eigen::Vector3d(std::sin(tilt), 0, std::cos(tilt));
     std::map<int, int> count;
-    for (const ContourSample& s : visibleContour(m, eye, options)) ++count[s.group];
+    for (const ContourSample& s : visibleContour(m, eye, options)) ++count[s.feature];
     const int whole = int(std::lround(2 * kPi * 0.01 / options.step));
     for (size_t c = 0; c < m.circles.size(); ++c) {
-      const int seen = count[m.groupOfCircle(int(c))];
+      const int seen = count[m.featureOfCircle(int(c))];
       if (m.circles[c].centre.z() > 0.01) {
         EXPECT_EQ(seen, whole) << tilt;
       } else {
@@ -226,7 +227,7 @@ TEST(Contour, CylinderShowsItsTwoExactSilhouetteLines) {
     const ObjectModel m = build(cylinder(n, r, 0.06));
     int wall = -1;
     for (size_t s = 0; s < m.surfaces.size(); ++s) {
-      if (m.surfaces[s].kind == Surface::Kind::kCylinder) wall = m.groupOfSilhouette(int(s));
+      if (m.surfaces[s].kind == Surface::Kind::kCylinder) wall = m.featureOfSilhouette(int(s));
     }
     ContourOptions options;
     options.step = 0.002;
@@ -234,7 +235,7 @@ TEST(Contour, CylinderShowsItsTwoExactSilhouetteLines) {
                                        Eigen::Vector3d(-0.05, 0.02, -0.1)}) {
       std::map<int, int> per_side;
       for (const ContourSample& s : visibleContour(m, eye, options)) {
-        if (s.group != wall) continue;
+        if (s.feature != wall) continue;
         EXPECT_TRUE(s.silhouette);
         EXPECT_NEAR(s.p.head<2>().norm(), r, 1e-9);
         const Eigen::Vector3d normal(s.p.x() / r, s.p.y() / r, 0);
@@ -253,7 +254,7 @@ TEST(Contour, CylinderShowsItsTwoExactSilhouetteLines) {
 TEST(Contour, HoleWallHasNoSilhouette) {
   const ObjectModel m = build(plateWithHole(24, 0.03, 0.01, 0.02));
   for (const Eigen::Vector3d& eye : eyes(m, 20, 2)) {
-    for (const ContourSample& s : visibleContour(m, eye, {})) EXPECT_LT(s.group, m.groupOfSilhouette(0));
+    for (const ContourSample& s : visibleContour(m, eye, {})) EXPECT_LT(s.feature, m.featureOfSilhouette(0));
   }
 }
 
@@ -283,7 +284,7 @@ TEST(Contour, ConeShowsItsGeneratorLines) {
   options.step = 0.001;
   int samples = 0;
   for (const ContourSample& s : visibleContour(m, {0.3, 0.05, 0.02}, options)) {
-    if (s.group < m.groupOfSilhouette(0)) continue;
+    if (s.feature < m.featureOfSilhouette(0)) continue;
     ++samples;
     const double radius_here = 0.03 - 0.02 * s.p.z() / 0.04;
     EXPECT_NEAR(s.p.head<2>().norm(), radius_here, 0.005 * radius_here);
@@ -300,7 +301,7 @@ TEST(Contour, ConeShowsItsGeneratorLinesUpToItsTip) {
     int samples = 0;
     double highest = 0;
     for (const ContourSample& s : visibleContour(m, eye, options)) {
-      if (s.group < m.groupOfSilhouette(0)) continue;
+      if (s.feature < m.featureOfSilhouette(0)) continue;
       ++samples;
       highest = std::max(highest, s.p.z());
       EXPECT_NEAR(s.p.head<2>().norm(), radius * (1 - s.p.z() / height), 0.005 * radius);

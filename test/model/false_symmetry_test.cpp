@@ -13,26 +13,22 @@
 #include "monocular_eye_hand/mesh/closest_point.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 using namespace shapes;
-using Random = std::mt19937;
-
-double uniform(Random* random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(*random);
-}
 
 /// Vertices, edge middles and inner points of every triangle.
-std::vector<Point> densePoints(const Mesh& mesh, Random* random) {
+std::vector<Point> densePoints(const Mesh& mesh, std::mt19937* random) {
   std::vector<Point> out = mesh.vertices;
   for (const auto& t : mesh.triangles) {
     const Point &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     out.push_back(0.5 * (a + b));
     out.push_back((a + b + c) / 3);
     for (int k = 0; k < 8; ++k) {
-      double u = uniform(random, 0, 1), v = uniform(random, 0, 1);
+      double u = uniform(*random, 0, 1), v = uniform(*random, 0, 1);
       if (u + v > 1) {
         u = 1 - u;
         v = 1 - v;
@@ -53,7 +49,7 @@ double offBy(const ObjectModel& model, const Rigid3& motion, const std::vector<P
   return most / model.diameter;
 }
 
-void expectTrueGroup(const ObjectModel& model, Random* random) {
+void expectTrueGroup(const ObjectModel& model, std::mt19937* random) {
   const Symmetries& s = model.symmetries;
   const std::vector<Point> points = densePoints(model.mesh, random);
   const ClosestPoint surface(model.mesh);
@@ -101,12 +97,12 @@ Mesh sheet(int columns, int rows, double x, double y, double thickness,
 }
 
 /// Bent by a few degrees along a random line, or bulged a little: the kind of a cover that was pressed.
-Mesh shallowBent(Random* random) {
-  const double x = uniform(random, 0.05, 0.1), y = uniform(random, 0.5, 1) * x;
-  const double where = uniform(random, 0.3, 0.7), bend = uniform(random, 0.005, 0.2);
-  const double bulge = uniform(random, 0, 0.04) * x;
+Mesh shallowBent(std::mt19937* random) {
+  const double x = uniform(*random, 0.05, 0.1), y = uniform(*random, 0.5, 1) * x;
+  const double where = uniform(*random, 0.3, 0.7), bend = uniform(*random, 0.005, 0.2);
+  const double bulge = uniform(*random, 0, 0.04) * x;
   const int columns = 1 + int((*random)() % 5), rows = 1 + int((*random)() % 4);
-  return sheet(columns, rows, x, y, uniform(random, 0.02, 0.2) * x, [=](double u, double v) {
+  return sheet(columns, rows, x, y, uniform(*random, 0.02, 0.2) * x, [=](double u, double v) {
     return bend * x * std::max(0.0, u - where) + bulge * std::sin(kPi * u) * std::sin(kPi * v);
   });
 }
@@ -134,10 +130,10 @@ Mesh decimated(const Mesh& m, double cell, const Point& origin) {
   return out;
 }
 
-Mesh someShape(Random* random) {
+Mesh someShape(std::mt19937* random) {
   switch ((*random)() % 6) {
     case 0:
-      return cylinder(40, uniform(random, 0.01, 0.03), uniform(random, 0.02, 0.08), 8);
+      return cylinder(40, uniform(*random, 0.01, 0.03), uniform(*random, 0.02, 0.08), 8);
     case 1:
       return sphere(30, 0.03);
     case 2:
@@ -152,16 +148,16 @@ Mesh someShape(Random* random) {
 }
 
 /// A box whose faces are fans of slivers about points that stand a little out of them.
-Mesh slivered(Random* random) {
+Mesh slivered(std::mt19937* random) {
   const Mesh base =
-      box(uniform(random, 0.04, 0.08), uniform(random, 0.04, 0.08), uniform(random, 0.01, 0.04));
+      box(uniform(*random, 0.04, 0.08), uniform(*random, 0.04, 0.08), uniform(*random, 0.01, 0.04));
   Mesh out;
   for (const auto& t : base.triangles) {
     const Point &a = base.vertices[t[0]], &b = base.vertices[t[1]], &c = base.vertices[t[2]];
     const Point normal = (b - a).cross(c - a).normalized();
-    const double near = uniform(random, 0.01, 0.2);
-    const Point p = a + (b - a) * near + (c - a) * uniform(random, 0.1, 0.7) +
-                    normal * uniform(random, 0, 0.02) * (b - a).norm();
+    const double near = uniform(*random, 0.01, 0.2);
+    const Point p = a + (b - a) * near + (c - a) * uniform(*random, 0.1, 0.7) +
+                    normal * uniform(*random, 0, 0.02) * (b - a).norm();
     triangle(&out, a, b, p);
     triangle(&out, b, c, p);
     triangle(&out, c, a, p);
@@ -170,9 +166,9 @@ Mesh slivered(Random* random) {
 }
 
 /// A part with a true symmetry and a small thing on one side of it.
-Mesh spoiled(Random* random) {
-  Mesh m = prism(polygon(int(3 + (*random)() % 6), 0.04), uniform(random, 0.01, 0.04));
-  const double size = uniform(random, 0.001, 0.006), angle = uniform(random, 0, 6.28);
+Mesh spoiled(std::mt19937* random) {
+  Mesh m = prism(polygon(int(3 + (*random)() % 6), 0.04), uniform(*random, 0.01, 0.04));
+  const double size = uniform(*random, 0.001, 0.006), angle = uniform(*random, 0, 6.28);
   append(&m, moved(box(size, size, size), {Eigen::AngleAxisd(angle, Point::UnitZ()).toRotationMatrix(),
                                            Point(0.02 * std::cos(angle), 0.02 * std::sin(angle), 0)}));
   return m;
@@ -182,7 +178,7 @@ class FalseSymmetry : public testing::TestWithParam<int> {};
 
 TEST_P(FalseSymmetry, NeverOnMadeUpMeshes) {
   for (int k = 0; k < 20; ++k) {
-    Random random(unsigned(1000 * GetParam() + k));
+    std::mt19937 random(unsigned(1000 * GetParam() + k));
     Mesh mesh;
     switch (GetParam() % 4) {
       case 0:
@@ -190,7 +186,7 @@ TEST_P(FalseSymmetry, NeverOnMadeUpMeshes) {
         break;
       case 1:
         mesh =
-            decimated(someShape(&random), uniform(&random, 0.006, 0.02), somewhere(unsigned(k)).translation);
+            decimated(someShape(&random), uniform(random, 0.006, 0.02), somewhere(unsigned(k)).translation);
         break;
       case 2:
         mesh = slivered(&random);

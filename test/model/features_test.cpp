@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/known_object.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -305,12 +307,7 @@ TEST(BadMesh, EmptyFlatOrNotFiniteIsRefused) {
 TEST(BadOptions, AreNamed) {
   ModelOptions options;
   options.sharp_angle = 0;
-  try {
-    options.check();
-    FAIL();
-  } catch (const BadInput& e) {
-    EXPECT_NE(std::string(e.what()).find("sharp_angle"), std::string::npos);
-  }
+  EXPECT_THAT(refusal([&] { options.check(); }), testing::HasSubstr("sharp_angle"));
   options = {};
   options.symmetry_tolerance = std::nan("");
   EXPECT_THROW(options.check(), BadInput);

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "../mesh/shapes.h"
-#include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/model_base.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -25,13 +25,8 @@ std::vector<ObjectEntry> entries(const std::string& keys) {
   return readObjectEntries(path);
 }
 
-std::string failure(const std::string& keys) {
-  try {
-    entries(keys);
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "no error";
+std::string refusalOf(const std::string& keys) {
+  return refusal([&] { entries(keys); });
 }
 
 TEST(Handling, DefaultsToSampledGrasps) {
@@ -75,21 +70,21 @@ TEST(Handling, ItReachesTheModelBase) {
 }
 
 TEST(Handling, MistakesAreNamed) {
-  EXPECT_THAT(failure(", grasp: maybe"), HasSubstr("'grasp' is 'maybe'; true or false is expected"));
-  EXPECT_THAT(failure(", grasps: []"), HasSubstr("at least one"));
-  EXPECT_THAT(failure(", grasps: [3]"), HasSubstr("'grasps[0]' is '3'; a map is expected"));
-  EXPECT_THAT(failure(", grasps: [{width: 0.1}]"), HasSubstr("\"xyz\" is missing"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0], width: 0.1}]"),
+  EXPECT_THAT(refusalOf(", grasp: maybe"), HasSubstr("'grasp' is 'maybe'; true or false is expected"));
+  EXPECT_THAT(refusalOf(", grasps: []"), HasSubstr("at least one"));
+  EXPECT_THAT(refusalOf(", grasps: [3]"), HasSubstr("'grasps[0]' is '3'; a map is expected"));
+  EXPECT_THAT(refusalOf(", grasps: [{width: 0.1}]"), HasSubstr("\"xyz\" is missing"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0], width: 0.1}]"),
               HasSubstr("'grasps[0].xyz' is a list of 2; a list of 3 is expected"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, .nan], width: 0.1}]"), HasSubstr("finite"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0]}]"), HasSubstr("width = 0.0"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], width: 0.1, turns: 0}]"), HasSubstr("turns = 0"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], width: 0.1, axis: [0, 0, 0]}]"), HasSubstr("axis"));
-  EXPECT_THAT(failure(", grasps: [{xyz: [0, 0, 0], wide: 0.1}]"),
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, .nan], width: 0.1}]"), HasSubstr("finite"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0]}]"), HasSubstr("width = 0.0"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], width: 0.1, turns: 0}]"), HasSubstr("turns = 0"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], width: 0.1, axis: [0, 0, 0]}]"), HasSubstr("axis"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], wide: 0.1}]"),
               HasSubstr("unknown key 'grasps[0].wide'; did you mean 'grasps[0].width'?"));
-  EXPECT_THAT(failure(", obstacle: true, grasps: [{xyz: [0, 0, 0], width: 0.1}]"),
+  EXPECT_THAT(refusalOf(", obstacle: true, grasps: [{xyz: [0, 0, 0], width: 0.1}]"),
               HasSubstr("must not be grasped"));
-  EXPECT_THAT(failure(", graps: true"),
+  EXPECT_THAT(refusalOf(", graps: true"),
               HasSubstr("object 1 (a): unknown key 'graps'; did you mean 'grasps'?"));
 }
 

@@ -144,7 +144,7 @@ TEST(RoundedCircles, AreNoneOnASphereOrATorus) {
 std::map<int, int> samplesOfFeatures(const ObjectModel& m, const Eigen::Vector3d& eye) {
   std::map<int, int> samples;
   for (const ContourSample& s : visibleContour(m, eye, {}))
-    if (s.group < m.groupOfSilhouette(0)) ++samples[s.group];
+    if (s.feature < m.featureOfSilhouette(0)) ++samples[s.feature];
   return samples;
 }
 

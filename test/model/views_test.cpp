@@ -101,14 +101,14 @@ TEST_P(Views, ClassesPartitionTheViewsAndTheirWeightsSumToOne) {
       ++times[v];
       EXPECT_EQ(sphere.views[v].characteristic_view, int(c));
     }
-    ASSERT_EQ(view.groups.size(), view.weight.size());
-    ASSERT_EQ(view.groups.size(), view.visible.size());
-    EXPECT_TRUE(std::is_sorted(view.groups.begin(), view.groups.end()));
+    ASSERT_EQ(view.features.size(), view.weight.size());
+    ASSERT_EQ(view.features.size(), view.visible.size());
+    EXPECT_TRUE(std::is_sorted(view.features.begin(), view.features.end()));
     double sum = 0;
-    for (size_t k = 0; k < view.groups.size(); ++k) {
+    for (size_t k = 0; k < view.features.size(); ++k) {
       EXPECT_GT(view.weight[k], 0);
       EXPECT_TRUE(view.visible[k] > 0 && view.visible[k] <= 1);
-      EXPECT_LT(view.groups[k], m.groupCount());
+      EXPECT_LT(view.features[k], m.featureCount());
       sum += view.weight[k];
     }
     EXPECT_NEAR(sum, 1, 1e-9);
@@ -123,7 +123,7 @@ TEST(Views, CubeShowsOneTwoOrThreeFaces) {
   options.spacing = 0.1;
   const ViewSphere sphere = sampleViews(m, options);
   std::vector<size_t> kinds;
-  for (const CharacteristicView& v : sphere.characteristic) kinds.push_back(v.groups.size());
+  for (const CharacteristicView& v : sphere.characteristic) kinds.push_back(v.features.size());
   for (const size_t k : kinds) EXPECT_TRUE(k == 4 || k == 7 || k == 9) << k;
   EXPECT_TRUE(std::count(kinds.begin(), kinds.end(), 9u) > 0);
 }
@@ -134,10 +134,10 @@ TEST(Views, LongerAndRarerFeaturesWeighMore) {
   const ViewSphere sphere = sampleViews(m, {});
   int compared = 0;
   for (const CharacteristicView& v : sphere.characteristic) {
-    if (v.groups.size() != 9) continue;
+    if (v.features.size() != 9) continue;
     double longest = 0, shortest = 0;
-    for (size_t k = 0; k < v.groups.size(); ++k) {
-      const double length = (m.edges[v.groups[k]].q - m.edges[v.groups[k]].p).norm();
+    for (size_t k = 0; k < v.features.size(); ++k) {
+      const double length = (m.edges[v.features[k]].q - m.edges[v.features[k]].p).norm();
       if (length > 0.1) longest = std::max(longest, v.weight[k]);
       if (length < 0.025) shortest = std::max(shortest, v.weight[k]);
     }

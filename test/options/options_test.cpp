@@ -1,4 +1,5 @@
 #include "monocular_eye_hand/options/options.h"
+#include "support/refusal.h"
 
 #include <gmock/gmock.h>
 
@@ -66,23 +67,18 @@ CameraOptions fromYaml(const std::string& yaml) {
   return options;
 }
 
-std::string refusal(const std::string& yaml) {
-  try {
-    fromYaml(yaml);
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "accepted";
+std::string refusalOf(const std::string& yaml) {
+  return refusal([&] { fromYaml(yaml); });
 }
 
-TEST(Options, absent_keys_keep_the_defaults) {
+TEST(Options, AbsentKeysKeepTheDefaults) {
   const CameraOptions options = fromYaml("");
   EXPECT_EQ(options.lines, 480);
   EXPECT_EQ(options.lens.blur, 0.5);
   EXPECT_THAT(options.steps, ElementsAre(1, 2.5));
 }
 
-TEST(Options, every_type_is_read) {
+TEST(Options, EveryTypeIsRead) {
   const CameraOptions options = fromYaml(R"(
 lens: {blur: 2, k: [0.1, -2e-3, 3]}
 colour: true
@@ -107,49 +103,49 @@ stages:
   EXPECT_EQ(options.stages[1].rounds, 7);
 }
 
-TEST(Options, an_unknown_key_is_named_in_full_with_the_nearest_known_one) {
-  const std::string nested = refusal("lens: {blurr: 1}");
+TEST(Options, AnUnknownKeyIsNamedInFullWithTheNearestKnownOne) {
+  const std::string nested = refusalOf("lens: {blurr: 1}");
   EXPECT_THAT(nested, HasSubstr("unknown key 'lens.blurr'"));
   EXPECT_THAT(nested, HasSubstr("did you mean 'lens.blur'?"));
   EXPECT_THAT(nested, HasSubstr("Known here: blur, k"));
-  EXPECT_THAT(refusal("stages: [{}, {round: 2}]"), HasSubstr("'stages[1].round'"));
-  EXPECT_THAT(refusal("line: 2"), HasSubstr("did you mean 'lines'?"));
-  EXPECT_THAT(refusal("lens: {bl: 2}"), HasSubstr("did you mean 'lens.blur'?"));
-  const std::string far_off = refusal("exposure_time: 1");
+  EXPECT_THAT(refusalOf("stages: [{}, {round: 2}]"), HasSubstr("'stages[1].round'"));
+  EXPECT_THAT(refusalOf("line: 2"), HasSubstr("did you mean 'lines'?"));
+  EXPECT_THAT(refusalOf("lens: {bl: 2}"), HasSubstr("did you mean 'lens.blur'?"));
+  const std::string far_off = refusalOf("exposure_time: 1");
   EXPECT_THAT(far_off, HasSubstr("'exposure_time'"));
   EXPECT_THAT(far_off, Not(HasSubstr("did you mean")));
   EXPECT_THAT(far_off, HasSubstr("Known here: lens, colour, lines, gain, title, steps, stages"));
 }
 
-TEST(Options, a_wrong_type_is_named_with_key_value_and_expected_type) {
-  EXPECT_EQ(refusal("lines: 4.5"), "'lines' is '4.5'; an integer is expected");
-  EXPECT_EQ(refusal("lines: 99999999999"), "'lines' is '99999999999'; an integer is expected");
-  EXPECT_EQ(refusal("gain: much"), "'gain' is 'much'; a finite number is expected");
-  EXPECT_EQ(refusal("gain: 1.5 px"), "'gain' is '1.5 px'; a finite number is expected");
-  EXPECT_EQ(refusal("gain: .nan"), "'gain' is '.nan'; a finite number is expected");
-  EXPECT_EQ(refusal("gain: 1e999"), "'gain' is '1e999'; a finite number is expected");
-  EXPECT_EQ(refusal("gain:"), "'gain' is nothing; a finite number is expected");
-  EXPECT_EQ(refusal("colour: maybe"), "'colour' is 'maybe'; true or false is expected");
-  EXPECT_EQ(refusal("title: [a, b]"), "'title' is a list of 2; a text is expected");
-  EXPECT_EQ(refusal("steps: 3"), "'steps' is '3'; a list is expected");
-  EXPECT_EQ(refusal("steps: [1, x]"), "'steps[1]' is 'x'; a finite number is expected");
-  EXPECT_EQ(refusal("lens: {k: [1, 2]}"), "'lens.k' is a list of 2; a list of 3 is expected");
-  EXPECT_EQ(refusal("lens: 5"), "'lens' is '5'; a map is expected");
-  EXPECT_EQ(refusal("- 1"), "the options are a list of 1; a map is expected");
+TEST(Options, AWrongTypeIsNamedWithKeyValueAndExpectedType) {
+  EXPECT_EQ(refusalOf("lines: 4.5"), "'lines' is '4.5'; an integer is expected");
+  EXPECT_EQ(refusalOf("lines: 99999999999"), "'lines' is '99999999999'; an integer is expected");
+  EXPECT_EQ(refusalOf("gain: much"), "'gain' is 'much'; a finite number is expected");
+  EXPECT_EQ(refusalOf("gain: 1.5 px"), "'gain' is '1.5 px'; a finite number is expected");
+  EXPECT_EQ(refusalOf("gain: .nan"), "'gain' is '.nan'; a finite number is expected");
+  EXPECT_EQ(refusalOf("gain: 1e999"), "'gain' is '1e999'; a finite number is expected");
+  EXPECT_EQ(refusalOf("gain:"), "'gain' is nothing; a finite number is expected");
+  EXPECT_EQ(refusalOf("colour: maybe"), "'colour' is 'maybe'; true or false is expected");
+  EXPECT_EQ(refusalOf("title: [a, b]"), "'title' is a list of 2; a text is expected");
+  EXPECT_EQ(refusalOf("steps: 3"), "'steps' is '3'; a list is expected");
+  EXPECT_EQ(refusalOf("steps: [1, x]"), "'steps[1]' is 'x'; a finite number is expected");
+  EXPECT_EQ(refusalOf("lens: {k: [1, 2]}"), "'lens.k' is a list of 2; a list of 3 is expected");
+  EXPECT_EQ(refusalOf("lens: 5"), "'lens' is '5'; a map is expected");
+  EXPECT_EQ(refusalOf("- 1"), "the options are a list of 1; a map is expected");
 }
 
-TEST(Options, check_is_called_for_nested_structs_too) {
-  EXPECT_EQ(refusal("lines: 1"), "lines = 1 must be at least 2");
-  EXPECT_THAT(refusal("lens: {blur: 0}"), StartsWith("lens: blur = 0"));
+TEST(Options, CheckIsCalledForNestedStructsToo) {
+  EXPECT_EQ(refusalOf("lines: 1"), "lines = 1 must be at least 2");
+  EXPECT_THAT(refusalOf("lens: {blur: 0}"), StartsWith("lens: blur = 0"));
 }
 
-TEST(Options, refused_options_change_nothing) {
+TEST(Options, RefusedOptionsChangeNothing) {
   CameraOptions options;
   EXPECT_THROW(readOptions(parseYaml("{lines: 100, gain: x}"), &options), BadInput);
   EXPECT_EQ(options.lines, 480);
 }
 
-TEST(Options, what_is_written_reads_back_equal) {
+TEST(Options, WhatIsWrittenReadsBackEqual) {
   CameraOptions options;
   options.gain = 0.1 + 0.2;
   options.title = "# \"quoted\"\n: true";
@@ -167,7 +163,7 @@ TEST(Options, what_is_written_reads_back_equal) {
   EXPECT_EQ(again.lens.k, options.lens.k);
 }
 
-TEST(Options, written_text) {
+TEST(Options, WrittenText) {
   CameraOptions options;
   options.stages = {{"a", 3}};
   options.gain = 1e-9;
@@ -185,7 +181,7 @@ stages:
 )");
 }
 
-TEST(Options, numbers_do_not_depend_on_the_locale) {
+TEST(Options, NumbersDoNotDependOnTheLocale) {
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C"}) {
     if (!std::setlocale(LC_ALL, name)) continue;
     EXPECT_EQ(fromYaml("gain: 2.25").gain, 2.25) << name;
@@ -194,15 +190,8 @@ TEST(Options, numbers_do_not_depend_on_the_locale) {
   std::setlocale(LC_ALL, "C");
 }
 
-TEST(Yaml, broken_input_is_refused_with_its_source_and_line) {
-  const auto message = [](const std::string& text) {
-    try {
-      parseYaml(text, "x.yaml");
-    } catch (const BadInput& e) {
-      return std::string(e.what());
-    }
-    return std::string("accepted");
-  };
+TEST(Yaml, BrokenInputIsRefusedWithItsSourceAndLine) {
+  const auto message = [](const std::string& text) { return refusal([&] { parseYaml(text, "x.yaml"); }); };
   EXPECT_THAT(message("a: 1\nb: [1, 2"), StartsWith("x.yaml: not valid YAML: "));
   EXPECT_EQ(message("a: 1\nb: {c: 1, c: 2}"), "x.yaml: 'b.c' stands twice (line 2)");
   EXPECT_EQ(message("[1, 2]: 3"), "x.yaml: a key is not a plain name (line 1)");
@@ -215,17 +204,12 @@ TEST(Yaml, broken_input_is_refused_with_its_source_and_line) {
   EXPECT_THAT(message(doubled), HasSubstr("more than 1000000 values"));
 }
 
-TEST(Yaml, files) {
+TEST(Yaml, Files) {
   EXPECT_THROW(loadYaml("/nowhere/options.yaml"), BadInput);
   EXPECT_THROW(loadYaml(testing::TempDir()), BadInput);
   const std::string path = testing::TempDir() + "/options_test.yaml";
   std::ofstream(path) << "lines: 1\n";
-  try {
-    loadOptions<CameraOptions>(path);
-    FAIL();
-  } catch (const BadInput& e) {
-    EXPECT_EQ(std::string(e.what()), path + ": lines = 1 must be at least 2");
-  }
+  EXPECT_EQ(refusal([&] { loadOptions<CameraOptions>(path); }), path + ": lines = 1 must be at least 2");
   std::ofstream(path) << "";
   EXPECT_EQ(loadOptions<CameraOptions>(path).lines, 480);
   std::remove(path.c_str());

@@ -29,7 +29,7 @@ TEST(Move, TakesTheFirstPoseThatCanBeReached) {
   const MoveRequest request =
       moveTo({down(1.5, 0, 0.6), down(0.5, 0, kTableTop - 0.01), down(0.4, -0.3, 0.6), down(0.5, 0.2, 0.6)});
   const MovePlan plan = planMove(toolArm(), world, request);
-  ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  ASSERT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
   EXPECT_EQ(plan.goal, 2);
   EXPECT_EQ(plan.motions.front().points.front().position, request.start);
   EXPECT_LT((toolArm().baseFromTcp(endOf(plan)).translation - Eigen::Vector3d(0.4, -0.3, 0.6)).norm(), 1e-9);
@@ -91,7 +91,7 @@ TEST(Move, LeavesWhatItNearlyTouches) {
   world.setPadding(0);
   ASSERT_TRUE(world.valid(request.start));
   const MovePlan plan = planMove(toolArm(), world, request);
-  ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  ASSERT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
   EXPECT_EQ(plan.motions.size(), 2u);
   EXPECT_LT((plan.motions[0].points.back().position - plan.motions[1].points.front().position).norm(), 1e-9);
   expectFree(world, plan);
@@ -127,9 +127,9 @@ TEST(Move, RefusesBadInput) {
 TEST(Move, OutcomesAreThoseOfTheAction) {
   EXPECT_EQ(outcomeOf(MoveOutcome::kPlanned), ActionOutcome::kDone);
   for (const MoveOutcome met : {MoveOutcome::kStartInCollision, MoveOutcome::kGoalInCollision})
-    EXPECT_EQ(outcomeOf(met), ActionOutcome::kInCollision) << name(met);
+    EXPECT_EQ(outcomeOf(met), ActionOutcome::kInCollision) << toString(met);
   for (const MoveOutcome far : {MoveOutcome::kUnreachable, MoveOutcome::kNoPath})
-    EXPECT_EQ(outcomeOf(far), ActionOutcome::kUnreachable) << name(far);
+    EXPECT_EQ(outcomeOf(far), ActionOutcome::kUnreachable) << toString(far);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "monocular_eye_hand/options/options.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -24,12 +25,7 @@ TEST(PlanningOptions, RefusedByName) {
   const auto message = [](auto change) -> std::string {
     PlanningOptions options;
     change(options);
-    try {
-      options.check();
-    } catch (const BadInput& e) {
-      return e.what();
-    }
-    return "";
+    return refusal([&] { options.check(); });
   };
   EXPECT_NE(message([](PlanningOptions& o) { o.padding = -1; }).find("padding = -1"), std::string::npos);
   EXPECT_NE(message([](PlanningOptions& o) { o.near_padding = 0.05; }).find("near_padding"),

@@ -10,7 +10,7 @@ void expectChained(const PickPlan& plan, const JointVector& start) {
   JointVector at = start;
   ASSERT_EQ(plan.motions.size(), 6u);
   for (const PickMotion& motion : plan.motions) {
-    EXPECT_LT((motion.trajectory.points.front().position - at).norm(), 1e-9) << name(motion.stage);
+    EXPECT_LT((motion.trajectory.points.front().position - at).norm(), 1e-9) << toString(motion.stage);
     at = motion.trajectory.points.back().position;
   }
 }
@@ -19,7 +19,7 @@ void expectFree(const CollisionWorld& world, const PickRequest& request, const P
   for (const PickMotion& motion : plan.motions) {
     const CollisionPair hit = firstCollision(worldOf(motion.stage, world, request, plan), motion.trajectory,
                                              PathOptions().resolution / 10);
-    EXPECT_EQ(hit.first, "") << name(motion.stage) << ": " << hit.second << " " << hit.distance;
+    EXPECT_EQ(hit.first, "") << toString(motion.stage) << ": " << hit.second << " " << hit.distance;
   }
 }
 
@@ -28,7 +28,7 @@ TEST(Pick, CarriesEveryObjectOutOfTheFrame) {
   for (const PickRequest& request :
        {bridgeRequest(), pickRequest("bridge_1", 0.505, -0.045, kTableTop + 0.048, 0.1, 0.040)}) {
     const PickPlan plan = planPick(toolArm(), world, request);
-    ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+    ASSERT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
     expectChained(plan, request.start);
     expectFree(world, request, plan);
     const Rigid3 end =
@@ -123,7 +123,7 @@ TEST(Pick, NoPathWithinTheBudget) {
   EXPECT_EQ(plan.outcome, PickOutcome::kNoPathToGrasp) << plan.reason;
   EXPECT_NE(plan.reason.find("budget"), std::string::npos) << plan.reason;
   const PickPlan found = planPick(toolArm(), world, request);
-  ASSERT_TRUE(found.planned()) << name(found.outcome) << ": " << found.reason;
+  ASSERT_TRUE(found.planned()) << toString(found.outcome) << ": " << found.reason;
   expectFree(world, request, found);
 }
 
@@ -139,7 +139,7 @@ TEST(Pick, AnArmNearSomethingMayLeave) {
   world.setGripperWidth(request.target.opening);
   ASSERT_EQ(world.firstCollision(request.start).second, "shelf");
   const PickPlan plan = planPick(toolArm(), world, request);
-  EXPECT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  EXPECT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
 }
 
 TEST(Pick, RefusesBadInput) {
@@ -175,10 +175,10 @@ TEST(Pick, OutcomesAreThoseOfTheAction) {
   for (const PickOutcome met :
        {PickOutcome::kStartInCollision, PickOutcome::kGraspInCollision, PickOutcome::kApproachBlocked,
         PickOutcome::kLiftBlocked, PickOutcome::kDropInCollision, PickOutcome::kLoweringBlocked})
-    EXPECT_EQ(outcomeOf(met), ActionOutcome::kInCollision) << name(met);
+    EXPECT_EQ(outcomeOf(met), ActionOutcome::kInCollision) << toString(met);
   for (const PickOutcome far : {PickOutcome::kGraspUnreachable, PickOutcome::kNoPathToGrasp,
                                 PickOutcome::kDropUnreachable, PickOutcome::kNoPathToDrop})
-    EXPECT_EQ(outcomeOf(far), ActionOutcome::kUnreachable) << name(far);
+    EXPECT_EQ(outcomeOf(far), ActionOutcome::kUnreachable) << toString(far);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(Place, FromTheLift) {
   const CollisionWorld world = demoWorld();
   const PlaceRequest request = placeRequest(0.1);
   const PickPlan plan = planPlace(toolArm(), world, request);
-  ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  ASSERT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
   ASSERT_EQ(plan.motions.size(), 3u);
   EXPECT_EQ(plan.motions[0].stage, PickStage::kCarry);
   EXPECT_EQ(plan.motions[2].stage, PickStage::kRetreat);
@@ -48,7 +48,7 @@ TEST(Place, LiftsFirstWhatStandsOnTheTable) {
   const CollisionWorld world = demoWorld();
   const PlaceRequest request = placeRequest(0);  // stopped before the lift
   const PickPlan plan = planPlace(toolArm(), world, request);
-  ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  ASSERT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
   ASSERT_EQ(plan.motions.size(), 4u);
   EXPECT_EQ(plan.motions[0].stage, PickStage::kLift);
   const JointVector lifted = plan.motion(PickStage::kLift).trajectory.points.back().position;
@@ -72,7 +72,7 @@ TEST(Place, WithdrawsFromANarrowPlace) {
   options.path.budget = 4000;
   const PlaceRequest request = placeRequest(0.008);
   const PickPlan plan = planPlace(toolArm(), world, request, options);
-  ASSERT_TRUE(plan.planned()) << name(plan.outcome) << ": " << plan.reason;
+  ASSERT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
   ASSERT_EQ(plan.motions.size(), 4u);
   EXPECT_EQ(plan.motions[0].stage, PickStage::kLift);
   CollisionWorld held = world;

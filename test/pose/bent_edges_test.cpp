@@ -23,7 +23,7 @@ std::vector<ContourPlace> circle(double radius, int feature) {
   return places;
 }
 
-TEST(Curvatures, of_circles_and_either_side) {
+TEST(Curvatures, OfCirclesAndEitherSide) {
   for (double radius : {8.0, 20.0, 100.0}) {
     std::vector<ContourPlace> places = circle(radius, 3);
     for (double c : curvatures(places)) EXPECT_NEAR(c, -1 / radius, 0.2 / radius) << radius;
@@ -32,7 +32,7 @@ TEST(Curvatures, of_circles_and_either_side) {
   }
 }
 
-TEST(Curvatures, lines_have_none_even_beside_a_circle) {
+TEST(Curvatures, LinesHaveNoneEvenBesideACircle) {
   std::vector<ContourPlace> places = circle(8, 0);
   const size_t first = places.size();
   for (int i = 0; i < 30; ++i) places.push_back({{20.0 + 1.5 * i, kCentre + 9}, {0, 1}, 1});
@@ -41,7 +41,7 @@ TEST(Curvatures, lines_have_none_even_beside_a_circle) {
   EXPECT_NEAR(found[0], -1.0 / 8, 0.03);
 }
 
-TEST(Curvatures, too_few_places_and_the_same_place_have_none) {
+TEST(Curvatures, TooFewPlacesAndTheSamePlaceHaveNone) {
   EXPECT_TRUE(curvatures({}).empty());
   std::vector<ContourPlace> places = circle(8, 0);
   places.resize(3);
@@ -50,7 +50,7 @@ TEST(Curvatures, too_few_places_and_the_same_place_have_none) {
 }
 
 // A dark disc, blurred: its steepest points lie within its outline, and are moved back onto it.
-TEST(UndoBlurOfBends, brings_the_edge_of_a_small_disc_back) {
+TEST(UndoBlurOfBends, BringsTheEdgeOfASmallDiscBack) {
   constexpr double kRadius = 6, kBlur = 1.2;
   constexpr int kSize = 80, kFine = 16;
   cv::Mat fine(kSize * kFine, kSize * kFine, CV_32F);

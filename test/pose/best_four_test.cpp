@@ -6,6 +6,7 @@
 
 #include "monocular_eye_hand/pose/refine.h"
 #include "random_matches.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 TEST(BestFour, WidestSpreadAndLeastUncertainty) {
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   const Rigid3 pose{expSO3({0.3, 0.2, 0.1}), Vector3d(0, 0, 0.6)};
   std::vector<PointMatch> points;
   const auto add = [&](double x, double y, double z, double sigma) {
@@ -41,7 +42,7 @@ TEST(BestFour, WidestSpreadAndLeastUncertainty) {
 
 TEST(BestFour, PoseFromFourOfMany) {
   Random random(30);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   int good = 0;
   for (int draw = 0; draw < 200; ++draw) {
     const Rigid3 truth = randomPose(random), start = perturbed(truth, randomStep(random, 0.01, 0.05));
@@ -55,7 +56,7 @@ TEST(BestFour, PoseFromFourOfMany) {
 
 TEST(BestFour, TooFewOrDegenerateGivesNone) {
   Random random(31);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   const Rigid3 truth = randomPose(random);
   auto points = randomPoints(truth, camera, 3, 0.2, random);
   EXPECT_TRUE(bestFour(points, truth, camera).empty());

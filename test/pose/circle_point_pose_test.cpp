@@ -6,7 +6,8 @@
 
 #include "circle_image.h"
 #include "monocular_eye_hand/pose/circle_pose.h"
-#include "random_pose.h"
+#include "support/camera.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -57,7 +58,7 @@ double error(const Rigid3& pose, const Rigid3& truth) {
 
 TEST(CirclePointPose, TheTruthComesFirst) {
   Random random(41);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   for (int i = 0; i < 5000; ++i) {
     const View v = randomView(random, camera, uniform(random, 5, 85) * M_PI / 180);
     const CirclePointPoses found = solve(v, camera);
@@ -70,7 +71,7 @@ TEST(CirclePointPose, TheTruthComesFirst) {
 
 TEST(CirclePointPose, BothPosesShowTheCircle) {
   Random random(42);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   for (int i = 0; i < 1000; ++i) {
     const View v = randomView(random, camera, uniform(random, 10, 80) * M_PI / 180);
     const CirclePointPoses found = solve(v, camera);
@@ -91,7 +92,7 @@ TEST(CirclePointPose, BothPosesShowTheCircle) {
 
 TEST(CirclePointPose, NoOtherRollBringsThePointNearer) {
   Random random(43);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   for (int i = 0; i < 300; ++i) {
     View v = randomView(random, camera, uniform(random, 10, 80) * M_PI / 180);
     v.uv += (i % 2 == 0 ? 3 : 60) * Vector2d(normal(random), normal(random));  // off the ring
@@ -112,7 +113,7 @@ TEST(CirclePointPose, NoOtherRollBringsThePointNearer) {
 TEST(CirclePointPose, GracefulTowardsHeadOn) {
   // The tilt is the square root of what is seen of it: at most half of the digits are lost.
   Random random(44);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   for (const double degrees : {0.0, 1e-4, 1e-2, 0.1, 1.0})
     for (int i = 0; i < 500; ++i) {
       const View v = randomView(random, camera, degrees * M_PI / 180);
@@ -126,7 +127,7 @@ TEST(CirclePointPose, GracefulTowardsHeadOn) {
 
 TEST(CirclePointPose, TurningTheImageTurnsThePose) {
   Random random(45);
-  Camera camera = testCamera();
+  Camera camera = unevenCamera();
   camera.fy = camera.fx;
   for (int i = 0; i < 500; ++i) {
     const View v = randomView(random, camera, uniform(random, 10, 80) * M_PI / 180);
@@ -148,7 +149,7 @@ TEST(CirclePointPose, TurningTheImageTurnsThePose) {
 
 TEST(CirclePointPose, NothingToFindIsAResult) {
   Random random(46);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   const View v = randomView(random, camera, 0.7);
   ASSERT_EQ(solve(v, camera).count, 2);
 

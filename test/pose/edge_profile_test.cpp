@@ -17,11 +17,9 @@ std::vector<EdgeAppearance> edge(double blur, double turn = 0) {
   return std::vector<EdgeAppearance>(5, {blur, turn});
 }
 
-TEST(EdgeProfiles, clean_is_what_most_edges_share) {
-  EXPECT_NEAR(EdgeProfiles(part()).cleanBlur(), 1.1, 0.01);
-}
+TEST(EdgeProfiles, CleanIsWhatMostEdgesShare) { EXPECT_NEAR(EdgeProfiles(part()).cleanBlur(), 1.1, 0.01); }
 
-TEST(EdgeProfiles, the_farther_from_clean_the_farther_off) {
+TEST(EdgeProfiles, TheFartherFromCleanTheFartherOff) {
   const EdgeProfiles profiles(part());
   EXPECT_LT(profiles.expectedOffset(edge(1.1)), 0.03);
   double last_wide = 0, last_narrow = 0;
@@ -37,20 +35,20 @@ TEST(EdgeProfiles, the_farther_from_clean_the_farther_off) {
   EXPECT_GT(last_wide, 0.5);
 }
 
-TEST(EdgeProfiles, an_edge_that_runs_across_its_contour_is_doubtful_whichever_way) {
+TEST(EdgeProfiles, AnEdgeThatRunsAcrossItsContourIsDoubtfulWhicheverWay) {
   const EdgeProfiles profiles(part());
   EXPECT_GT(profiles.expectedOffset(edge(1.1, 0.2)), 0.2);
   EXPECT_EQ(profiles.expectedOffset(edge(1.1, 0.2)), profiles.expectedOffset(edge(1.1, -0.2)));
   EXPECT_EQ(profiles.expectedOffset(edge(1.1, 0.01)), profiles.expectedOffset(edge(1.1)));
 }
 
-TEST(EdgeProfiles, a_single_stray_point_does_not_condemn_its_edge) {
+TEST(EdgeProfiles, ASingleStrayPointDoesNotCondemnItsEdge) {
   std::vector<EdgeAppearance> stray = edge(1.1);
   stray[2] = {3.0, 1.2};
   EXPECT_EQ(EdgeProfiles(part()).expectedOffset(stray), EdgeProfiles(part()).expectedOffset(edge(1.1)));
 }
 
-TEST(EdgeProfiles, few_points_or_none_are_no_error) {
+TEST(EdgeProfiles, FewPointsOrNoneAreNoError) {
   EXPECT_EQ(EdgeProfiles({}).cleanBlur(), 0);
   EXPECT_GT(EdgeProfiles({}).expectedOffset({}), 0);
   EXPECT_EQ(EdgeProfiles({{1.3, 0.0}}).cleanBlur(), 1.3);

@@ -6,21 +6,14 @@
 #include <cmath>
 #include <random>
 #include "monocular_eye_hand/pose/refine.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 constexpr int kFeatures = 8;
 
-Camera camera() {
-  Camera c;
-  c.width = 640;
-  c.height = 480;
-  c.fx = c.fy = 700;
-  c.cx = 319.5;
-  c.cy = 239.5;
-  return c;
-}
+Camera camera() { return centredCamera(640, 480, 700); }
 
 Rigid3 truth() {
   Rigid3 p;
@@ -73,7 +66,7 @@ Rigid3 nearTruth() {
   return perturbed(truth(), d);
 }
 
-TEST(FeatureRefinement, finds_the_pose_of_exact_samples) {
+TEST(FeatureRefinement, FindsThePoseOfExactSamples) {
   const RefinedPose refined = Contour(20).refined(nearTruth());
   ASSERT_TRUE(refined.well_posed);
   EXPECT_LT(distance(refined.camera_from_object, truth()), 0.02 * distance(nearTruth(), truth()));
@@ -81,7 +74,7 @@ TEST(FeatureRefinement, finds_the_pose_of_exact_samples) {
   EXPECT_EQ(refined.inliers, 160);
 }
 
-TEST(FeatureRefinement, covariance_is_symmetric_positive_and_of_a_plausible_size) {
+TEST(FeatureRefinement, CovarianceIsSymmetricPositiveAndOfAPlausibleSize) {
   const Matrix6d c = Contour(20).refined(truth()).covariance;
   EXPECT_EQ(c, c.transpose());
   EXPECT_EQ(Eigen::LLT<Matrix6d>(c).info(), Eigen::Success);
@@ -92,7 +85,7 @@ TEST(FeatureRefinement, covariance_is_symmetric_positive_and_of_a_plausible_size
   EXPECT_GT(c(2, 2), c(0, 0)) << "depth is the least certain";
 }
 
-TEST(FeatureRefinement, more_samples_of_the_same_features_do_not_make_the_covariance_vanish) {
+TEST(FeatureRefinement, MoreSamplesOfTheSameFeaturesDoNotMakeTheCovarianceVanish) {
   const auto sigma = [](int samples) {
     return std::sqrt(Contour(samples).refined(truth()).covariance(2, 2));
   };
@@ -101,7 +94,7 @@ TEST(FeatureRefinement, more_samples_of_the_same_features_do_not_make_the_covari
   EXPECT_GT(sigma(500), 0.1 * sigma(20)) << "a feature as a whole is only so certain";
 }
 
-TEST(FeatureRefinement, a_feature_that_disagrees_counts_little) {
+TEST(FeatureRefinement, AFeatureThatDisagreesCountsLittle) {
   for (int feature = 0; feature < kFeatures; ++feature) {
     Contour contour(20);
     contour.displace(feature, 1.0);
@@ -117,7 +110,7 @@ TEST(FeatureRefinement, a_feature_that_disagrees_counts_little) {
   }
 }
 
-TEST(FeatureRefinement, an_edge_whose_profile_is_no_clean_step_counts_little) {
+TEST(FeatureRefinement, AnEdgeWhoseProfileIsNoCleanStepCountsLittle) {
   for (double blur : {0.9, 1.3}) {
     Contour clean(20), doubtful(20);
     for (Contour* contour : {&clean, &doubtful}) contour->displace(0, 0.3);
@@ -130,7 +123,7 @@ TEST(FeatureRefinement, an_edge_whose_profile_is_no_clean_step_counts_little) {
   }
 }
 
-TEST(FeatureRefinement, an_edge_that_may_be_displaced_counts_little) {
+TEST(FeatureRefinement, AnEdgeThatMayBeDisplacedCountsLittle) {
   Contour sharp(20);
   sharp.displace(0, 0.5);
   Contour round = sharp;
@@ -139,14 +132,14 @@ TEST(FeatureRefinement, an_edge_that_may_be_displaced_counts_little) {
             0.5 * distance(sharp.refined(truth()).camera_from_object, truth()));
 }
 
-TEST(FeatureRefinement, disagreement_widens_the_covariance) {
+TEST(FeatureRefinement, DisagreementWidensTheCovariance) {
   Contour contour(20);
   const Matrix6d agreeing = contour.refined(truth()).covariance;
   for (int feature = 0; feature < kFeatures; ++feature) contour.displace(feature, feature % 3 - 1.0, 0.3);
   EXPECT_GT(contour.refined(truth()).covariance(2, 2), 4 * agreeing(2, 2));
 }
 
-TEST(FeatureRefinement, errors_common_to_a_feature_lie_within_the_covariance) {
+TEST(FeatureRefinement, ErrorsCommonToAFeatureLieWithinTheCovariance) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   constexpr int kDraws = 300;
@@ -164,7 +157,7 @@ TEST(FeatureRefinement, errors_common_to_a_feature_lie_within_the_covariance) {
   EXPECT_LT(mean, 14);
 }
 
-TEST(FeatureRefinement, outliers_say_nothing) {
+TEST(FeatureRefinement, OutliersSayNothing) {
   Contour contour(20);
   const RefinedPose clean = contour.refined(nearTruth());
   for (int i = 0; i < 50; ++i) {
@@ -177,7 +170,7 @@ TEST(FeatureRefinement, outliers_say_nothing) {
   EXPECT_LT((same.covariance - clean.covariance).norm(), 1e-12 * clean.covariance.norm());
 }
 
-TEST(FeatureRefinement, without_usable_samples_it_is_not_well_posed) {
+TEST(FeatureRefinement, WithoutUsableSamplesItIsNotWellPosed) {
   EXPECT_FALSE(refineByFeatures(truth(), camera(), {}, {}).well_posed);
   Contour contour(5);
   for (FeatureSample& sample : contour.samples) sample.line.uv.setConstant(std::nan(""));
@@ -186,7 +179,7 @@ TEST(FeatureRefinement, without_usable_samples_it_is_not_well_posed) {
   EXPECT_LT(distance(refined.camera_from_object, truth()), 1e-15);
 }
 
-TEST(FeatureRefinement, the_turn_about_a_free_axis_is_open_and_nothing_else) {
+TEST(FeatureRefinement, TheTurnAboutAFreeAxisIsOpenAndNothingElse) {
   FreeAxis axis;
   axis.present = true;
   axis.point = {0.01, 0.02, 0};

@@ -1,4 +1,5 @@
 #include "monocular_eye_hand/pose/p3p.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "random_pose.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -229,7 +228,7 @@ TEST(P3P, NearTheDangerCylinder) {
 }
 
 TEST(P3P, BearingsInOnePlane) {
-  // Collinear image points, the seed's figure 6: the lens lies in the plane of the object's points.
+  // Collinear image points, figure 6 of Wong et al.: the lens lies in the plane of the object's points.
   Random random(6);
   for (int i = 0; i < 2000; ++i) {
     Matrix3d points = randomTriangle(random, 0.2);

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/pose/matches.h"
-#include "random_pose.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
 

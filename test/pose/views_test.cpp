@@ -11,7 +11,8 @@
 #include "monocular_eye_hand/pose/circle_pose.h"
 #include "monocular_eye_hand/pose/corner_pose.h"
 #include "pose/real_roots.h"
-#include "random_pose.h"
+#include "support/camera.h"
+#include "support/random.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -53,7 +54,7 @@ TEST(CirclePose, KnownSolutions) {
   while (std::getline(file, line)) {
     if (line[0] == '#') continue;
     std::istringstream numbers(line);
-    Camera camera = testCamera();
+    Camera camera = unevenCamera();
     Ellipse e;
     double radius;
     CirclePose expected[2];
@@ -76,7 +77,7 @@ TEST(CirclePose, KnownSolutions) {
 
 TEST(CirclePose, RandomCirclesOffAxis) {
   Random random(11);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   for (int i = 0; i < 5000; ++i) {
     const double radius = uniform(random, 0.005, 0.1), tilt = uniform(random, 5, 80) * M_PI / 180;
     const CirclePose truth = randomCircle(random, uniform(random, 3, 40) * radius, tilt);
@@ -103,7 +104,7 @@ TEST(CirclePose, RandomCirclesOffAxis) {
 
 TEST(CirclePose, HeadOnBothAgree) {
   Random random(12);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   for (int i = 0; i < 500; ++i) {
     const CirclePose truth = randomCircle(random, uniform(random, 0.2, 2), 0);
     const CirclePoses found = circlePoses(imageOf(truth, 0.03, camera), camera, 0.03);
@@ -121,7 +122,7 @@ TEST(CirclePose, HeadOnBothAgree) {
 
 TEST(CirclePose, ScalesWithTheRadius) {
   Random random(13);
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   const Ellipse image = imageOf(randomCircle(random, 0.7, 0.6), 0.04, camera);
   const CirclePoses one = circlePoses(image, camera, 0.04), ten = circlePoses(image, camera, 0.4);
   for (int k = 0; k < 2; ++k) {
@@ -131,7 +132,7 @@ TEST(CirclePose, ScalesWithTheRadius) {
 }
 
 TEST(CirclePose, BadEllipsesGiveNone) {
-  const Camera camera = testCamera();
+  const Camera camera = unevenCamera();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(circlePoses(Ellipse(), camera, 0.03).count, 0);
   EXPECT_EQ(circlePoses({{300, 200}, 30, 0, 0}, camera, 0.03).count, 0);

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "support/pose_matchers.h"
 #include "world.h"
 
 namespace monocular_eye_hand {
@@ -42,7 +43,7 @@ class Alignment : public testing::TestWithParam<const char*> {
   Rigid3 truth_;
 };
 
-TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent) {
+TEST_P(Alignment, CoarseThenFineFindsBackFrom4Degrees4PxAnd4Percent) {
   std::mt19937 random(7);
   const int tries = 20;
   // Of the frame, 270 px wide, that would move points by twice the reach of the association.
@@ -64,7 +65,7 @@ TEST_P(Alignment, coarse_then_fine_finds_back_from_4_degrees_4_px_and_4_percent)
   EXPECT_GE(fine, 18);
 }
 
-TEST_P(Alignment, fine_alone_is_exact_from_nearby_and_knows_its_certainty) {
+TEST_P(Alignment, FineAloneIsExactFromNearbyAndKnowsItsCertainty) {
   std::mt19937 random(8);
   for (int i = 0; i < 5; ++i) {
     const RefinedPose refined =
@@ -82,7 +83,7 @@ TEST_P(Alignment, fine_alone_is_exact_from_nearby_and_knows_its_certainty) {
   }
 }
 
-TEST_P(Alignment, where_there_is_no_edge_it_fails_and_says_so) {
+TEST_P(Alignment, WhereThereIsNoEdgeItFailsAndSaysSo) {
   const SearchImage empty =
       withFeatures(cv::Mat(picture_.grey.size(), CV_8UC1, cv::Scalar(90)), picture_.camera, {});
   ASSERT_TRUE(empty.features.points.empty());
@@ -91,10 +92,10 @@ TEST_P(Alignment, where_there_is_no_edge_it_fails_and_says_so) {
   EXPECT_FALSE(alignCoarsely(model_, empty, start, kWideRanges));
   const RefinedPose refined = alignFinely(model_, empty, truth_, kFineRanges, kFineStep);
   EXPECT_FALSE(refined.well_posed);
-  EXPECT_LT(difference(refined.camera_from_object, truth_).norm(), 1e-12) << "the start comes back";
+  EXPECT_THAT(truth_, PoseNear(refined.camera_from_object, 1e-09, 6e-11)) << "the start comes back";
 }
 
-TEST_P(Alignment, the_projected_contour_lies_on_the_image_edges) {
+TEST_P(Alignment, TheProjectedContourLiesOnTheImageEdges) {
   const std::vector<SeenSample> contour =
       projectContour(model_.model(), truth_, picture_.camera, image_.domain, 4.0);
   ASSERT_GT(contour.size(), 50u);
@@ -103,8 +104,8 @@ TEST_P(Alignment, the_projected_contour_lies_on_the_image_edges) {
     ASSERT_LT((s.uv - picture_.camera.project(truth_ * s.p_in_object)).norm(), 1e-9);
     ASSERT_NEAR(s.direction.norm(), 1, 1e-9);
     ASSERT_EQ(s.inside, image_.domain.contains(s.uv.x(), s.uv.y()));
-    ASSERT_GE(s.group, 0);
-    ASSERT_LT(s.group, model_.model().groupCount());
+    ASSERT_GE(s.feature, 0);
+    ASSERT_LT(s.feature, model_.model().featureCount());
     ASSERT_EQ(s.edge_point, -1) << "matching comes later";
     outline += s.silhouette;
     on_edge += image_.raster.find(s.uv, {-s.direction.y(), s.direction.x()}, 2) >= 0;
@@ -119,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Golden, Alignment,
                          testing::Values("bridge", "grenade", "frame", "flange", "bracket"),
                          [](const auto& info) { return std::string(info.param); });
 
-TEST(ProjectedContour, tells_how_far_a_rounded_edge_may_lie_from_its_middle) {
+TEST(ProjectedContour, TellsHowFarARoundedEdgeMayLieFromItsMiddle) {
   ObjectModel model = shippedModels().objects.at(0).model;
   const Picture picture = shippedPicture("golden/" + model.name);
   const Rigid3 pose = picture.truth.at(0).camera_from_object;
@@ -128,12 +129,12 @@ TEST(ProjectedContour, tells_how_far_a_rounded_edge_may_lie_from_its_middle) {
   for (ModelEdge& edge : model.edges) edge.rounding = 1e-3;
   int of_edges = 0;
   for (const SeenSample& s : projectContour(model, pose, picture.camera, domain, 2)) {
-    if (s.group >= int(model.edges.size())) {
+    if (s.feature >= int(model.edges.size())) {
       EXPECT_EQ(s.rounding, 0);
       continue;
     }
     ++of_edges;
-    const double half_chord = 1e-3 * std::sin(model.edges[size_t(s.group)].dihedral / 2);
+    const double half_chord = 1e-3 * std::sin(model.edges[size_t(s.feature)].dihedral / 2);
     const double pixels_per_metre = picture.camera.fx / (pose * s.p_in_object).z();
     EXPECT_NEAR(s.rounding, half_chord * pixels_per_metre / std::sqrt(3.0), 0.02 * s.rounding);
   }

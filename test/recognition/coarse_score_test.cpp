@@ -56,7 +56,7 @@ PlainScore plainScore(const std::vector<ViewSample>& samples, float step, const 
   return result;
 }
 
-TEST(CoarseScore, is_the_plain_sum_bit_by_bit_wherever_the_part_lies) {
+TEST(CoarseScore, IsThePlainSumBitByBitWhereverThePartLies) {
   const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
   const RectDomain domain = rectDomain(picture.camera);
   const EvidenceMap map(detectFeatures(picture.grey, picture.camera), domain);
@@ -89,7 +89,7 @@ TEST(CoarseScore, is_the_plain_sum_bit_by_bit_wherever_the_part_lies) {
   EXPECT_GT(scored, 200);
 }
 
-TEST(CoarseScore, a_contour_of_any_number_of_samples_is_filled_up_with_what_says_nothing) {
+TEST(CoarseScore, AContourOfAnyNumberOfSamplesIsFilledUpWithWhatSaysNothing) {
   const Picture picture = shippedPicture("golden/bridge");
   const EvidenceMap map(detectFeatures(picture.grey, picture.camera), rectDomain(picture.camera));
   const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf("bridge"))));

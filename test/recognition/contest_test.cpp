@@ -12,13 +12,13 @@
 namespace monocular_eye_hand {
 namespace {
 
-TEST(Shares, of_two_are_the_logistic_function_of_their_log_odds) {
+TEST(Shares, OfTwoAreTheLogisticFunctionOfTheirLogOdds) {
   const std::vector<double> shares = sharesOf({{0, 1.3}, {-1.3, 0}});
   EXPECT_NEAR(shares[0], 1 / (1 + std::exp(-1.3)), 1e-12);
   EXPECT_NEAR(shares[0] + shares[1], 1, 1e-12);
 }
 
-TEST(Shares, of_consistent_log_odds_are_proportional_to_the_odds) {
+TEST(Shares, OfConsistentLogOddsAreProportionalToTheOdds) {
   const std::vector<double> strength{0.5, -1, 2};
   std::vector<std::vector<double>> log_odds(3, std::vector<double>(3));
   for (size_t i = 0; i < 3; ++i)
@@ -29,13 +29,13 @@ TEST(Shares, of_consistent_log_odds_are_proportional_to_the_odds) {
   EXPECT_NEAR(shares[0] / shares[1], std::exp(1.5), 1e-9);
 }
 
-TEST(Shares, stay_finite_whatever_the_log_odds) {
+TEST(Shares, StayFiniteWhateverTheLogOdds) {
   const std::vector<double> shares = sharesOf({{0, 1e9}, {-1e9, 0}});
   EXPECT_NEAR(shares[0], 1, 1e-4);
   EXPECT_GT(shares[1], 0);
 }
 
-TEST(ContestWeights, of_the_other_way_round_give_the_opposite) {
+TEST(ContestWeights, OfTheOtherWayRoundGiveTheOpposite) {
   const ContestWeights weights = fittedWeights().contest;
   PoseContest contest, opposite;
   contest.log_odds = 0.4;
@@ -48,7 +48,7 @@ TEST(ContestWeights, of_the_other_way_round_give_the_opposite) {
   EXPECT_EQ(weights.logOdds({}), 0);
 }
 
-TEST(ContestWeights, that_were_fitted_favour_what_the_image_shows) {
+TEST(ContestWeights, ThatWereFittedFavourWhatTheImageShows) {
   ContestWeights weights = fittedWeights().contest;
   weights.visit([](const char* name, double& weight) { EXPECT_GT(weight, 0) << name; });
 }
@@ -86,8 +86,8 @@ class Bar : public testing::Test {
   // The right pose and the turned one, both of probability 0.8, as candidates that explain the same place.
   std::vector<Candidate> settled(const SearchImage& image, int chosen) {
     const SearchTask task{image, models_, wanted_, options_};
-    const Rigid3 turn = turnAbout(models_[0].model().centre(),
-                                  Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+    const Rigid3 turn = rotationAbout(models_[0].model().centre(),
+                                      Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
     std::vector<Candidate> candidates{verified(image, models_[0], camera_from_bar_),
                                       verified(image, models_[0], camera_from_bar_ * turn)};
     for (Candidate& candidate : candidates) {
@@ -105,7 +105,7 @@ class Bar : public testing::Test {
   Rigid3 camera_from_bar_;
 };
 
-TEST_F(Bar, what_the_two_draw_differently_tells_which_is_right) {
+TEST_F(Bar, WhatTheTwoDrawDifferentlyTellsWhichIsRight) {
   const SearchImage image = seen(true);
   for (int chosen : {kRight, kTurned}) {
     const std::vector<Candidate> candidates = settled(image, chosen);
@@ -121,7 +121,7 @@ TEST_F(Bar, what_the_two_draw_differently_tells_which_is_right) {
   }
 }
 
-TEST_F(Bar, what_this_view_hides_leaves_both_as_likely_and_the_winner_ranks_as_both_together) {
+TEST_F(Bar, WhatThisViewHidesLeavesBothAsLikelyAndTheWinnerRanksAsBothTogether) {
   const std::vector<Candidate> candidates = settled(seen(false), kRight);
   double together = 0;
   for (const Candidate& candidate : candidates) {
@@ -136,9 +136,9 @@ TEST_F(Bar, what_this_view_hides_leaves_both_as_likely_and_the_winner_ranks_as_b
   EXPECT_NEAR(winner.probability / winner.winners_share, together, 1e-9);
 }
 
-TEST_F(Bar, poses_coincide_when_no_camera_tells_their_surfaces_apart) {
-  const Rigid3 turn = turnAbout(models_[0].model().centre(),
-                                Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+TEST_F(Bar, PosesCoincideWhenNoCameraTellsTheirSurfacesApart) {
+  const Rigid3 turn = rotationAbout(models_[0].model().centre(),
+                                    Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
   const auto coincideAt = [&](double distance, const Rigid3& motion) {
     Rigid3 pose;
     pose.translation.z() = distance;
@@ -153,14 +153,14 @@ TEST_F(Bar, poses_coincide_when_no_camera_tells_their_surfaces_apart) {
   EXPECT_TRUE(coincideAt(1, beside)) << "1.4 px";
 }
 
-TEST_F(Bar, one_that_is_far_behind_does_not_compete) {
+TEST_F(Bar, OneThatIsFarBehindDoesNotCompete) {
   const SearchImage image = seen(true);
   const SearchTask task{image, models_, wanted_, options_};
   std::vector<Candidate> candidates{verified(image, models_[0], camera_from_bar_)};
   candidates.push_back(candidates[0]);
   candidates[1].pose.camera_from_object =
-      camera_from_bar_ * turnAbout(models_[0].model().centre(),
-                                   Eigen::AngleAxisd(1, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+      camera_from_bar_ * rotationAbout(models_[0].model().centre(),
+                                       Eigen::AngleAxisd(1, Eigen::Vector3d::UnitZ()).toRotationMatrix());
   verify(models_[0], image, &candidates[1]);
   candidates[0].probability = 0.9;
   StageLog log;

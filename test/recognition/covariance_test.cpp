@@ -47,7 +47,7 @@ double normalizedSquare(const std::vector<Sample>& samples, const Vector6d& arou
   return sum / double(samples.size());
 }
 
-TEST_P(Covariance, noise_scatters_the_pose_within_what_it_says) {
+TEST_P(Covariance, NoiseScattersThePoseWithinWhatItSays) {
   const Scene seen = scene(0.7, 0.75);
   RenderOptions clean;
   clean.noise_sigma = clean.shot_noise = 0;
@@ -85,7 +85,7 @@ TEST_P(Covariance, noise_scatters_the_pose_within_what_it_says) {
   EXPECT_LT(whole, 2);
 }
 
-TEST_P(Covariance, over_views_the_error_is_within_ten_times_of_what_it_says) {
+TEST_P(Covariance, OverViewsTheErrorIsWithinTenTimesOfWhatItSays) {
   std::vector<double> squares;
   for (int i = 0; i < 12; ++i) {
     const Scene seen = scene(0.4 + 0.52 * i, 0.55 + 0.05 * (i % 7));

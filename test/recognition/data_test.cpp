@@ -41,7 +41,7 @@ void addSquare(const ObjectModel& model, const ObjectEstimate& report, const Rig
   squares->push_back(error.dot(report.covariance.ldlt().solve(error)) / (model.symmetries.axis ? 5 : 6));
 }
 
-TEST_P(DataSet, enough_is_found_and_what_is_reported_is_right) {
+TEST_P(DataSet, EnoughIsFoundAndWhatIsReportedIsRight) {
   const Share& share = GetParam();
   const char* root = std::getenv("MONOCULAR_EYE_HAND_DATA");
   if (!root) GTEST_SKIP() << "set MONOCULAR_EYE_HAND_DATA to the folder with workcell/ and real/";

@@ -11,6 +11,7 @@
 #include "recognition/nearby_poses.h"
 #include "recognition/occlusion.h"
 #include "recognition/twins.h"
+#include "support/camera.h"
 #include "verified.h"
 
 namespace monocular_eye_hand {
@@ -55,13 +56,13 @@ double nearestFromSegments(const std::string& name, const Picture& picture, size
   return nearest;
 }
 
-TEST(HypothesesFromEdges, few_segments_suffice_that_tell_most) {
+TEST(HypothesesFromEdges, FewSegmentsSufficeThatTellMost) {
   const Picture picture = shippedPicture("golden/bracket");
   EXPECT_EQ(nearestFromSegments("bracket", picture, 0), std::numeric_limits<double>::max());
   EXPECT_LT(nearestFromSegments("bracket", picture, 30), 15);
 }
 
-TEST(Proposals, are_judged_instead_of_searching) {
+TEST(Proposals, AreJudgedInsteadOfSearching) {
   const Picture picture = shippedPicture("golden/bracket");
   const Rigid3 truth = picture.truth.at(0).camera_from_object;
   Rigid3 near = truth;
@@ -75,7 +76,7 @@ TEST(Proposals, are_judged_instead_of_searching) {
   for (const StageReport& stage : result.stages) EXPECT_NE(stage.name, "hypotheses from groupings");
 }
 
-TEST(Proposals, that_nothing_bears_out_are_not_reported) {
+TEST(Proposals, ThatNothingBearsOutAreNotReported) {
   const Picture picture = shippedPicture("golden/bracket");
   Rigid3 away = picture.truth.at(0).camera_from_object;
   away.translation.x() += 0.12;
@@ -86,40 +87,40 @@ TEST(Proposals, that_nothing_bears_out_are_not_reported) {
   EXPECT_THAT(shippedRecognizer().recognize(picture.grey, picture.camera, none).objects, testing::IsEmpty());
 }
 
-TEST(Proposals, of_an_unknown_object_are_refused) {
+TEST(Proposals, OfAnUnknownObjectAreRefused) {
   const Picture picture = shippedPicture("golden/bracket");
   RecognitionRequest request;
   request.proposals = std::vector<PoseProposal>{{17, Rigid3{}}};
   EXPECT_THROW(shippedRecognizer().recognize(picture.grey, picture.camera, request), BadInput);
 }
 
-TEST(BoxTurns, leave_the_box_where_it_is_and_are_no_symmetries) {
+TEST(BoxTurns, LeaveTheBoxWhereItIsAndAreNoSymmetries) {
   const auto frame = size_t(indexOf("frame"));
-  EXPECT_THAT(SearchModel(shippedModels().objects.at(frame)).boxTurns(), testing::IsEmpty())
+  EXPECT_THAT(SearchModel(shippedModels().objects.at(frame)).boxRotations(), testing::IsEmpty())
       << "all its half turns are symmetries";
   for (const char* name : {"bridge", "grenade", "flange", "bracket"}) {
     const SearchModel model(shippedModels().objects.at(size_t(indexOf(name))));
     const Symmetries& symmetries = model.model().symmetries;
-    EXPECT_GE(model.boxTurns().size(), 1u) << name;
-    for (const Rigid3& turn : model.boxTurns()) {
+    EXPECT_GE(model.boxRotations().size(), 1u) << name;
+    for (const Rigid3& turn : model.boxRotations()) {
       EXPECT_LT((turn * model.model().centre() - model.model().centre()).norm(), 1e-9) << name;
       const Rigid3 equal = nearestEqualPose(model.model(), turn, Rigid3{});
       EXPECT_GT(angleBetween(equal.rotation, Eigen::Matrix3d::Identity()), 0.1)
           << name << " has this symmetry";
     }
     if (symmetries.axis) {
-      EXPECT_EQ(model.boxTurns().size(), 1u) << name << ": only the flip is a twin";
+      EXPECT_EQ(model.boxRotations().size(), 1u) << name << ": only the flip is a twin";
     }
   }
 }
 
-TEST(Twins, of_a_pose_that_is_wrong_by_a_half_turn_the_right_one_is_found) {
+TEST(Twins, OfAPoseThatIsWrongByAHalfTurnTheRightOneIsFound) {
   const Picture picture = shippedPicture("golden/bracket");
   const ObjectModel& bracket = shippedModel("bracket");
   const Rigid3 truth = picture.truth.at(0).camera_from_object;
   const Rigid3 turned =
       truth *
-      turnAbout(bracket.centre(), Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+      rotationAbout(bracket.centre(), Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix());
 
   const SearchOf search("bracket", picture);
   Candidate wrong;
@@ -138,12 +139,12 @@ TEST(Twins, of_a_pose_that_is_wrong_by_a_half_turn_the_right_one_is_found) {
   EXPECT_EQ(addTwins(search.task, {{wrong}, {Explanation{0, {}}}}, &log).size(), 1u) << "not worth it";
 }
 
-TEST(NearbyPoses, a_doubtful_candidate_that_is_tilted_gives_way_to_the_right_pose) {
+TEST(NearbyPoses, ADoubtfulCandidateThatIsTiltedGivesWayToTheRightPose) {
   const Picture picture = shippedPicture("golden/bracket");
   const ObjectModel& bracket = shippedModel("bracket");
   const Rigid3 truth = picture.truth.at(0).camera_from_object;
   const Eigen::AngleAxisd tilt(0.15, Eigen::Vector3d(0.6, 0.8, 0));
-  const Rigid3 tilted = truth * turnAbout(bracket.centre(), tilt.toRotationMatrix());
+  const Rigid3 tilted = truth * rotationAbout(bracket.centre(), tilt.toRotationMatrix());
 
   const SearchOf search("bracket", picture);
   Candidate doubt;
@@ -166,7 +167,7 @@ TEST(NearbyPoses, a_doubtful_candidate_that_is_tilted_gives_way_to_the_right_pos
 }
 
 // A bracket behind a box that hides a part of it.
-TEST(HiddenParts, are_not_held_against_what_lies_behind) {
+TEST(HiddenParts, AreNotHeldAgainstWhatLiesBehind) {
   const Rigid3 world_from_camera = lookFrom(-M_PI / 2, 0.45, 0.6, {0, 0, 0.03});
   const Mesh box = boxMesh({0.03, 0.02, 0.05});
   SceneObject before = standing("box", box);
@@ -206,7 +207,7 @@ RecognitionResult searchedAtHalfSize(const cv::Mat& grey, const Camera& camera) 
   return Recognizer(someModels({"bracket"}), options).recognize(grey, camera);
 }
 
-TEST(FinerLevels, what_was_searched_at_half_size_is_decided_in_full) {
+TEST(FinerLevels, WhatWasSearchedAtHalfSizeIsDecidedInFull) {
   const Picture picture = shippedPicture("golden/bracket");
   const Camera camera = picture.camera.resized(2);
   Scene scene = plainScene({standing("bracket", shippedModel("bracket").mesh)},
@@ -227,14 +228,14 @@ TEST(FinerLevels, what_was_searched_at_half_size_is_decided_in_full) {
   EXPECT_GT(best.bounding_box.area(), 0);
 }
 
-TEST(FinerLevels, reductions_are_whole_numbers) {
+TEST(FinerLevels, ReductionsAreWholeNumbers) {
   for (const auto& [width, reduction] :
        {std::pair(640, 1), {960, 1}, {961, 2}, {1280, 2}, {1920, 2}, {2592, 3}, {4000, 5}})
     EXPECT_EQ(searchReduction(width, 960), reduction) << width;
 }
 
-TEST(FinerLevels, find_parts_that_the_search_at_half_size_cannot_see) {
-  const Camera camera{1280, 960, 900, 900, 639.5, 479.5, DistortionModel::kNone, {}};
+TEST(FinerLevels, FindPartsThatTheSearchAtHalfSizeCannotSee) {
+  const Camera camera = centredCamera(1280, 960, 900);
   const ObjectModel& bracket = shippedModel("bracket");
   const double distance = bracket.diameter * camera.fx / 44;  // 22 px wide in half
   ASSERT_LT(distance, RecognitionOptions().max_distance);
@@ -271,7 +272,7 @@ int foundOf(const Picture& picture, int enlarged) {
   return found;
 }
 
-TEST(FinerLevels, are_not_taken_where_they_resolve_no_more) {
+TEST(FinerLevels, AreNotTakenWhereTheyResolveNoMore) {
   for (const char* name : {"demo/two_bridges_and_grenade", "demo/frame_and_flange"}) {
     const Picture picture = shippedPicture(name);
     ASSERT_GT(foundOf(picture, 1), 1) << name;

@@ -31,7 +31,7 @@ class Box : public testing::Test {
   SearchModel model_;
 };
 
-TEST_F(Box, its_edges_hang_together) {
+TEST_F(Box, ItsEdgesHangTogether) {
   const EvidenceTerms right = terms(true), chance = terms(false, checks_);
   EXPECT_GT(right.claimed_ratio, 0.9);
   EXPECT_GT(right.linked, 0.9);
@@ -44,7 +44,7 @@ TEST_F(Box, its_edges_hang_together) {
   EXPECT_LT(chance.run, right.run);
 }
 
-TEST_F(Box, lies_precisely_on_its_edges_and_by_chance_on_others) {
+TEST_F(Box, LiesPreciselyOnItsEdgesAndByChanceOnOthers) {
   const EvidenceTerms right = terms(true), chance = terms(false, checks_), absent = terms(false);
   EXPECT_LT(right.offset, 0.3);
   EXPECT_GE(right.precise_features, 7);
@@ -53,12 +53,12 @@ TEST_F(Box, lies_precisely_on_its_edges_and_by_chance_on_others) {
   EXPECT_EQ(absent.precise_features, 0);
 }
 
-TEST_F(Box, one_light_explains_its_faces_and_no_pattern) {
+TEST_F(Box, OneLightExplainsItsFacesAndNoPattern) {
   EXPECT_GT(terms(true).shading, 0.9);
   EXPECT_LT(terms(false, checks_).shading, 0.3);
 }
 
-TEST_F(Box, that_is_not_there_is_missed_on_flat_ground) {
+TEST_F(Box, ThatIsNotThereIsMissedOnFlatGround) {
   const EvidenceTerms right = terms(true), absent = terms(false);
   EXPECT_LT(right.outline_bare, 0.05);
   EXPECT_GT(right.outline_hits, 0.9);
@@ -69,7 +69,7 @@ TEST_F(Box, that_is_not_there_is_missed_on_flat_ground) {
   EXPECT_EQ(absent.features_bare, 1);
 }
 
-TEST_F(Box, of_edges_everywhere_the_drawing_is_answered_beside_it_too) {
+TEST_F(Box, OfEdgesEverywhereTheDrawingIsAnsweredBesideItToo) {
   const EvidenceTerms plain = terms(true), checked = terms(false, checks_);
   EXPECT_LT(plain.chance_mean, 0.25);
   EXPECT_GT(checked.chance_mean, plain.chance_mean + 0.05);
@@ -77,7 +77,7 @@ TEST_F(Box, of_edges_everywhere_the_drawing_is_answered_beside_it_too) {
   EXPECT_GE(plain.chance, plain.chance_mean);
 }
 
-TEST_F(Box, image_edges_end_at_its_outline_and_run_through_a_wrong_one) {
+TEST_F(Box, ImageEdgesEndAtItsOutlineAndRunThroughAWrongOne) {
   const Texture bricks{Texture::Kind::kBricks, 0.03, 0.6, 1};
   const EvidenceTerms right = terms(true, bricks), wrong = terms(false, bricks);
   EXPECT_LT(right.crossed, 0.05);
@@ -85,7 +85,7 @@ TEST_F(Box, image_edges_end_at_its_outline_and_run_through_a_wrong_one) {
   EXPECT_GT(wrong.through, right.through);
 }
 
-TEST_F(Box, view_terms_tell_how_much_of_it_this_side_shows) {
+TEST_F(Box, ViewTermsTellHowMuchOfItThisSideShows) {
   const EvidenceTerms oblique = terms(true), low = terms(true, {}, 0.1);
   EXPECT_GT(oblique.view_area, low.view_area);
   EXPECT_LE(oblique.view_area, 1);
@@ -93,7 +93,7 @@ TEST_F(Box, view_terms_tell_how_much_of_it_this_side_shows) {
   EXPECT_NEAR(oblique.diameter, object_.model.diameter / 0.5 * 700, 15);
 }
 
-TEST(Prints, stay_within_the_face_and_are_told_from_edges_that_run_through_it) {
+TEST(Prints, StayWithinTheFaceAndAreToldFromEdgesThatRunThroughIt) {
   const KnownObject object = known("box", boxMesh({0.08, 0.06, 0.04}));
   const SearchModel model(object);
   Scene scene =
@@ -116,7 +116,7 @@ TEST(Prints, stay_within_the_face_and_are_told_from_edges_that_run_through_it) {
   EXPECT_NEAR(printed.print + printed.through, printed.interior, 1e-9);
 }
 
-TEST(InnerFeatures, a_frame_drawn_on_a_plate_misses_its_opening) {
+TEST(InnerFeatures, AFrameDrawnOnAPlateMissesItsOpening) {
   const SearchModel frame(shippedModels().objects.at(size_t(shippedModels().indexOf("frame"))));
   const Eigen::Vector3d size = shippedModel("frame").bounds.sizes();
   const Rigid3 world_from_camera = lookFrom(-1.1, 0.9, 0.9, {0, 0, 0.02});

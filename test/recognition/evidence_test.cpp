@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "recognition/edge_raster.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -39,19 +40,10 @@ void addEdge(FeatureSet* features, const Eigen::Vector2f& from, double angle, in
 }
 
 Camera distortedCamera() {
-  Camera camera;
-  camera.width = 320;
-  camera.height = 240;
-  camera.fx = 310;
-  camera.fy = 311;
-  camera.cx = 162;
-  camera.cy = 118;
-  const double d[] = {-0.28, 0.08, 0.001, -0.0005, 0};
-  setDistortion(&camera, "plumb_bob", d, 5);
-  return camera;
+  return withWebcamLens({320, 240, 310, 311, 162, 118, DistortionModel::kNone, {}});
 }
 
-TEST(OrientationBin, is_the_nearest_for_every_direction_and_both_senses) {
+TEST(OrientationBin, IsTheNearestForEveryDirectionAndBothSenses) {
   const double width = M_PI / kOrientationBins;
   for (int i = 0; i < 3600; ++i) {
     const double angle = 0.1 * i * kDegree;
@@ -66,7 +58,7 @@ TEST(OrientationBin, is_the_nearest_for_every_direction_and_both_senses) {
   }
 }
 
-TEST(OrientationBin, wraps_at_pi) {
+TEST(OrientationBin, WrapsAtPi) {
   EXPECT_EQ(orientationBin(1, 0), 0);
   EXPECT_EQ(orientationBin(-1, 0), 0);
   EXPECT_EQ(orientationBin(-1, 0.01f), 0);
@@ -75,7 +67,7 @@ TEST(OrientationBin, wraps_at_pi) {
   EXPECT_EQ(orientationBin(0, -1), kOrientationBins / 2);
 }
 
-TEST(EvidenceMap, an_edge_of_the_direction_speaks_for_and_everything_else_against) {
+TEST(EvidenceMap, AnEdgeOfTheDirectionSpeaksForAndEverythingElseAgainst) {
   FeatureSet features;
   addEdge(&features, {80, 20}, M_PI / 2, 80);
   const EvidenceMap map(features, plainDomain(160, 120));
@@ -92,7 +84,7 @@ TEST(EvidenceMap, an_edge_of_the_direction_speaks_for_and_everything_else_agains
     EXPECT_EQ(map.full().at(kVertical, x, y), kOutside) << x << ", " << y;
 }
 
-TEST(EvidenceMap, a_point_counts_for_the_two_bins_around_its_direction) {
+TEST(EvidenceMap, APointCountsForTheTwoBinsAroundItsDirection) {
   for (double degrees : {7.0, 40.0, 83.0, 100.0, 172.0, 179.0}) {
     FeatureSet features;
     addEdge(&features, {80, 60}, degrees * kDegree, 20);
@@ -104,7 +96,7 @@ TEST(EvidenceMap, a_point_counts_for_the_two_bins_around_its_direction) {
   }
 }
 
-TEST(EvidenceMap, an_edge_amid_many_says_less_than_one_on_clear_ground) {
+TEST(EvidenceMap, AnEdgeAmidManySaysLessThanOneOnClearGround) {
   FeatureSet features;
   addEdge(&features, {40, 20}, M_PI / 2, 160);
   for (int u = 240; u < 340; u += 5) addEdge(&features, {float(u), 20}, M_PI / 2, 160);
@@ -114,14 +106,14 @@ TEST(EvidenceMap, an_edge_amid_many_says_less_than_one_on_clear_ground) {
   EXPECT_LT(map.full().at(kVertical, 140, 100), 0);
 }
 
-TEST(EvidenceMap, without_a_single_edge_nothing_speaks_for_anything) {
+TEST(EvidenceMap, WithoutASingleEdgeNothingSpeaksForAnything) {
   const EvidenceMap map(FeatureSet{}, plainDomain(64, 48));
   for (int bin = 0; bin < kOrientationBins; ++bin)
     for (int y = 0; y < 48; ++y)
       for (int x = 0; x < 64; ++x) ASSERT_LT(map.full().at(bin, x, y), 0);
 }
 
-TEST(EvidenceMap, half_resolution_shows_every_second_pixel_of_an_odd_sized_image) {
+TEST(EvidenceMap, HalfResolutionShowsEverySecondPixelOfAnOddSizedImage) {
   FeatureSet features;
   addEdge(&features, {30, 10}, 0.7, 60);
   const EvidenceMap map(features, plainDomain(101, 75));
@@ -132,7 +124,7 @@ TEST(EvidenceMap, half_resolution_shows_every_second_pixel_of_an_odd_sized_image
       for (int x = 0; x < 51; ++x) ASSERT_EQ(map.half().at(bin, x, y), map.full().at(bin, 2 * x, 2 * y));
 }
 
-TEST(EvidenceMap, follows_the_domain_of_a_lens) {
+TEST(EvidenceMap, FollowsTheDomainOfALens) {
   const RectDomain domain = rectDomain(distortedCamera());
   ASSERT_LT(domain.u0, 0);
   FeatureSet features;
@@ -151,7 +143,7 @@ TEST(EvidenceMap, follows_the_domain_of_a_lens) {
   EXPECT_GT(outside, 0);
 }
 
-TEST(RectDomain, is_the_image_without_distortion) {
+TEST(RectDomain, IsTheImageWithoutDistortion) {
   Camera camera = distortedCamera();
   camera.model = DistortionModel::kNone;
   camera.d = {};
@@ -166,7 +158,7 @@ TEST(RectDomain, is_the_image_without_distortion) {
   EXPECT_FALSE(domain.contains(0, -0.6));
 }
 
-TEST(RectDomain, reaches_to_the_undistorted_border_and_not_beyond) {
+TEST(RectDomain, ReachesToTheUndistortedBorderAndNotBeyond) {
   const Camera camera = distortedCamera();
   const RectDomain domain = rectDomain(camera);
   const auto inBounds = [&](const Eigen::Vector2d& p) {
@@ -193,7 +185,7 @@ TEST(RectDomain, reaches_to_the_undistorted_border_and_not_beyond) {
   });
 }
 
-TEST(RectifiedGrey, takes_each_pixel_from_where_the_lens_put_it) {
+TEST(RectifiedGrey, TakesEachPixelFromWhereTheLensPutIt) {
   const Camera camera = distortedCamera();
   const RectDomain domain = rectDomain(camera);
   cv::Mat ramp(camera.height, camera.width, CV_8UC1);
@@ -218,7 +210,7 @@ class EdgeRasterTest : public testing::Test {
   FeatureSet features_;
 };
 
-TEST_F(EdgeRasterTest, finds_the_point_beside_from_both_sides_within_the_range) {
+TEST_F(EdgeRasterTest, FindsThePointBesideFromBothSidesWithinTheRange) {
   addEdge(&features_, {80.3f, 20}, M_PI / 2, 80);
   for (double u : {77.4, 80.0, 80.3, 83.1}) {
     const int found = find({u, 60.2}, 0, 4);
@@ -231,7 +223,7 @@ TEST_F(EdgeRasterTest, finds_the_point_beside_from_both_sides_within_the_range) 
   EXPECT_EQ(find({87, 60}, 0, 4), -1);
 }
 
-TEST_F(EdgeRasterTest, takes_only_points_of_about_the_direction) {
+TEST_F(EdgeRasterTest, TakesOnlyPointsOfAboutTheDirection) {
   addEdge(&features_, {80, 20}, M_PI / 2, 80);
   EXPECT_GE(find({80, 60}, 20, 3), 0);
   EXPECT_GE(find({80, 60}, -20, 3), 0);
@@ -239,7 +231,7 @@ TEST_F(EdgeRasterTest, takes_only_points_of_about_the_direction) {
   EXPECT_EQ(find({80, 60}, 90, 3), -1);
 }
 
-TEST_F(EdgeRasterTest, slanted_edges_cannot_be_slipped_through) {
+TEST_F(EdgeRasterTest, SlantedEdgesCannotBeSlippedThrough) {
   for (double degrees = 0; degrees < 180; degrees += 15) {
     features_ = {};
     const double a = degrees * kDegree;
@@ -253,7 +245,7 @@ TEST_F(EdgeRasterTest, slanted_edges_cannot_be_slipped_through) {
   }
 }
 
-TEST_F(EdgeRasterTest, prefers_the_nearer_of_equals_and_the_much_stronger) {
+TEST_F(EdgeRasterTest, PrefersTheNearerOfEqualsAndTheMuchStronger) {
   addEdge(&features_, {78, 20}, M_PI / 2, 80, 20);  // points 0..79
   addEdge(&features_, {85, 20}, M_PI / 2, 80, 20);  // points 80..159
   EXPECT_LT(find({80, 60}, 0, 6), 80);
@@ -262,7 +254,7 @@ TEST_F(EdgeRasterTest, prefers_the_nearer_of_equals_and_the_much_stronger) {
   EXPECT_GE(find({81, 60}, 0, 6), 80) << "ten times as strong, one pixel farther";
 }
 
-TEST_F(EdgeRasterTest, the_border_of_a_shadow_beside_does_not_win_by_its_contrast) {
+TEST_F(EdgeRasterTest, TheBorderOfAShadowBesideDoesNotWinByItsContrast) {
   addEdge(&features_, {80, 20}, M_PI / 2, 80, 20);  // points 0..79
   addEdge(&features_, {88, 20}, M_PI / 2, 80, 40);
   for (double u : {78.0, 80.0, 81.0}) {
@@ -272,7 +264,7 @@ TEST_F(EdgeRasterTest, the_border_of_a_shadow_beside_does_not_win_by_its_contras
   }
 }
 
-TEST_F(EdgeRasterTest, every_step_of_a_walk_is_looked_at) {
+TEST_F(EdgeRasterTest, EveryStepOfAWalkIsLookedAt) {
   for (int off = -13; off <= 13; ++off) {
     features_ = {};
     addEdge(&features_, {80.0f + float(off), 40}, M_PI / 2, 41);
@@ -283,7 +275,7 @@ TEST_F(EdgeRasterTest, every_step_of_a_walk_is_looked_at) {
   }
 }
 
-TEST_F(EdgeRasterTest, outside_the_image_there_is_nothing) {
+TEST_F(EdgeRasterTest, OutsideTheImageThereIsNothing) {
   addEdge(&features_, {0, 0}, M_PI / 2, 120);
   EXPECT_EQ(find({-50, 60}, 0, 5), -1);
   EXPECT_EQ(find({500, 60}, 0, 5), -1);

@@ -30,12 +30,12 @@ std::vector<std::string> names(const RecognitionResult& result) {
   return all;
 }
 
-TEST(FirstLook, a_small_base_is_searched_without_one) {
+TEST(FirstLook, ASmallBaseIsSearchedWithoutOne) {
   const Picture picture = shippedPicture("demo/frame_and_flange");
   EXPECT_EQ(stage(shippedRecognizer().recognize(picture.grey, picture.camera), "first look"), nullptr);
 }
 
-TEST(FirstLook, what_is_in_the_image_is_what_it_finds_promising) {
+TEST(FirstLook, WhatIsInTheImageIsWhatItFindsPromising) {
   const Picture picture = shippedPicture("demo/frame_and_flange");  // no grenade
   const RecognitionResult result = recognized(picture, 4);  // fewer than there are: half of 4 are promising
   ASSERT_NE(stage(result, "first look"), nullptr);
@@ -44,7 +44,7 @@ TEST(FirstLook, what_is_in_the_image_is_what_it_finds_promising) {
   EXPECT_THAT(names(result), UnorderedElementsAre("frame", "bridge", "flange", "bracket"));
 }
 
-TEST(FirstLook, the_answer_is_the_same_every_time) {
+TEST(FirstLook, TheAnswerIsTheSameEveryTime) {
   const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
   const RecognitionResult first = recognized(picture, 2), second = recognized(picture, 2);
   expectSameObjects(first.objects, second.objects);

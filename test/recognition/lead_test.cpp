@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-TEST(Lead, without_others_is_the_largest) {
+TEST(Lead, WithoutOthersIsTheLargest) {
   const std::vector<Lead> leads = leadsAmong({{0, -3, {}}, {1, 2, {}}});
   ASSERT_EQ(leads.size(), 2u);
   for (const Lead& lead : leads) {
@@ -16,7 +16,7 @@ TEST(Lead, without_others_is_the_largest) {
   }
 }
 
-TEST(Lead, in_its_place_is_over_the_best_that_conflicts_whoever_names_the_conflict) {
+TEST(Lead, InItsPlaceIsOverTheBestThatConflictsWhoeverNamesTheConflict) {
   const std::vector<Lead> leads = leadsAmong({{0, 3, {}}, {0, 1, {0}}, {0, -1, {0}}, {0, 2.5, {}}});
   EXPECT_EQ(leads[0].in_place, 2);
   EXPECT_EQ(leads[1].in_place, -2);
@@ -24,7 +24,7 @@ TEST(Lead, in_its_place_is_over_the_best_that_conflicts_whoever_names_the_confli
   EXPECT_EQ(leads[3].in_place, 8);
 }
 
-TEST(Lead, elsewhere_passes_over_other_instances_and_the_two_best_improbable_ones) {
+TEST(Lead, ElsewherePassesOverOtherInstancesAndTheTwoBestImprobableOnes) {
   const std::vector<Lead> leads =
       leadsAmong({{0, 4, {}}, {0, 5, {}}, {0, 3, {}}, {0, -1, {}}, {0, -2, {}}, {0, -3, {}}, {0, -6, {}}});
   EXPECT_EQ(leads[0].elsewhere, 7) << "over the one at -3";
@@ -32,7 +32,7 @@ TEST(Lead, elsewhere_passes_over_other_instances_and_the_two_best_improbable_one
   EXPECT_EQ(leadsAmong({{0, 1, {}}, {0, -1, {}}, {0, -2, {}}})[0].elsewhere, 8) << "too few to tell";
 }
 
-TEST(Lead, over_most_is_over_the_lower_quartile) {
+TEST(Lead, OverMostIsOverTheLowerQuartile) {
   const std::vector<Lead> leads = leadsAmong({{0, 1, {}}, {0, 0, {}}, {0, -1, {}}, {0, -2, {}}, {0, -3, {}}});
   EXPECT_EQ(leads[0].over_most, 3) << "of 0, -1, -2, -3 a quarter lies below -2";
   EXPECT_EQ(leads[4].over_most, -2);

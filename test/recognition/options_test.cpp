@@ -4,6 +4,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -11,19 +12,14 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string refusal(const std::string& yaml) {
+std::string refusalOf(const std::string& yaml) {
   RecognitionOptions options;
-  try {
-    readOptions(parseYaml(yaml), &options);
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "";
+  return refusal([&] { readOptions(parseYaml(yaml), &options); });
 }
 
-TEST(RecognitionOptions, defaults_hold) { EXPECT_NO_THROW(RecognitionOptions{}.check()); }
+TEST(RecognitionOptions, DefaultsHold) { EXPECT_NO_THROW(RecognitionOptions{}.check()); }
 
-TEST(RecognitionOptions, a_value_out_of_range_is_named_with_its_value_and_the_rule) {
+TEST(RecognitionOptions, AValueOutOfRangeIsNamedWithItsValueAndTheRule) {
   const std::vector<std::array<const char*, 3>> bad{
       {"min_distance", "-0.5", "positive"},    {"max_distance", "0.01", "min_distance"},
       {"min_size", "2", "at least"},           {"min_in_frame", "0", "(0, 1]"},
@@ -35,35 +31,35 @@ TEST(RecognitionOptions, a_value_out_of_range_is_named_with_its_value_and_the_ru
       {"rest_log_odds", "-0.5", "negative"},   {"ambiguous_ratio", "0", "(0, 1]"},
       {"ambiguous_ratio", "1.25", "(0, 1]"}};
   for (const auto& [field, value, rule] : bad) {
-    EXPECT_THAT(refusal(std::string(field) + ": " + value),
+    EXPECT_THAT(refusalOf(std::string(field) + ": " + value),
                 AllOf(HasSubstr(field), HasSubstr(value), HasSubstr(rule)));
   }
-  EXPECT_THAT(refusal("min_distance: 9"), HasSubstr("must be larger than min_distance"));
+  EXPECT_THAT(refusalOf("min_distance: 9"), HasSubstr("must be larger than min_distance"));
 }
 
-TEST(RecognitionOptions, nan_is_out_of_every_range) {
+TEST(RecognitionOptions, NanIsOutOfEveryRange) {
   for (const char* field : {"min_distance", "max_distance", "min_size", "min_in_frame", "time_limit",
                             "accept_probability", "ambiguous_ratio"})
-    EXPECT_THAT(refusal(std::string(field) + ": .nan"), HasSubstr(field));
+    EXPECT_THAT(refusalOf(std::string(field) + ": .nan"), HasSubstr(field));
 }
 
-TEST(RecognitionOptions, nested_options_are_checked_and_named_by_their_path) {
-  EXPECT_THAT(refusal("features: {noise_factor: -1}"),
+TEST(RecognitionOptions, NestedOptionsAreCheckedAndNamedByTheirPath) {
+  EXPECT_THAT(refusalOf("features: {noise_factor: -1}"),
               AllOf(HasSubstr("features"), HasSubstr("noise_factor")));
-  EXPECT_THAT(refusal("grouping: {corner_gap: -1}"), AllOf(HasSubstr("grouping"), HasSubstr("corner_gap")));
+  EXPECT_THAT(refusalOf("grouping: {corner_gap: -1}"), AllOf(HasSubstr("grouping"), HasSubstr("corner_gap")));
   RecognitionOptions options;
   options.features.min_trace_points = -5;
   EXPECT_THROW(options.check(), BadInput);
 }
 
-TEST(RecognitionOptions, unknown_keys_are_refused_with_the_nearest_known) {
-  EXPECT_THAT(refusal("min_distence: 1"), AllOf(HasSubstr("min_distence"), HasSubstr("min_distance")));
-  EXPECT_THAT(refusal("decision: {hit_ration: {weight: 1}}"),
+TEST(RecognitionOptions, UnknownKeysAreRefusedWithTheNearestKnown) {
+  EXPECT_THAT(refusalOf("min_distence: 1"), AllOf(HasSubstr("min_distence"), HasSubstr("min_distance")));
+  EXPECT_THAT(refusalOf("decision: {hit_ration: {weight: 1}}"),
               AllOf(HasSubstr("decision.hit_ration"), HasSubstr("hit_ratio")));
-  EXPECT_THAT(refusal("budget: many"), AllOf(HasSubstr("budget"), HasSubstr("many")));
+  EXPECT_THAT(refusalOf("budget: many"), AllOf(HasSubstr("budget"), HasSubstr("many")));
 }
 
-TEST(RecognitionOptions, every_field_is_written_and_read_back) {
+TEST(RecognitionOptions, EveryFieldIsWrittenAndReadBack) {
   RecognitionOptions options;
   options.features.smoothing_sigma = 1.25;
   options.grouping.corner_gap = 6;

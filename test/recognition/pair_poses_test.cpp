@@ -76,7 +76,7 @@ Rigid3 poseOfView(const SearchModel& model, int view, std::mt19937* random) {
   return pose;
 }
 
-TEST_F(EveryKind, gives_the_true_pose) {
+TEST_F(EveryKind, GivesTheTruePose) {
   std::mt19937 random(7);
   std::map<GroupingKind, int> tried, found;
   for (const KnownObject& object : shippedModels().objects) {
@@ -98,10 +98,10 @@ TEST_F(EveryKind, gives_the_true_pose) {
   EXPECT_EQ(tried.size(), size_t(kGroupingKinds - 1)) << "the shipped parts have every kind of grouping";
   // Coplanar points seen head-on, or three points on the danger cylinder, may have the true pose as a double
   // root that noise of 1e-16 makes complex.
-  for (const auto& [kind, count] : tried) EXPECT_GE(found[kind], 0.95 * count) << name(kind);
+  for (const auto& [kind, count] : tried) EXPECT_GE(found[kind], 0.95 * count) << toString(kind);
 }
 
-TEST_F(EveryKind, a_range_leaves_out_what_is_surely_nearer_and_nothing_else) {
+TEST_F(EveryKind, ARangeLeavesOutWhatIsSurelyNearerAndNothingElse) {
   std::mt19937 random(9);
   const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf("bridge"))));
   const ObjectModel& object = model.model();
@@ -129,7 +129,7 @@ TEST_F(EveryKind, a_range_leaves_out_what_is_surely_nearer_and_nothing_else) {
   EXPECT_GT(far_ones, 0);
 }
 
-TEST_F(EveryKind, a_corner_whose_ends_are_cut_off_but_one_is_enough) {
+TEST_F(EveryKind, ACornerWhoseEndsAreCutOffButOneIsEnough) {
   std::mt19937 random(8);
   int tried = 0, found = 0;
   for (const char* part : {"bridge", "bracket", "grenade"}) {
@@ -153,7 +153,7 @@ TEST_F(EveryKind, a_corner_whose_ends_are_cut_off_but_one_is_enough) {
   EXPECT_GE(found, 0.95 * tried);
 }
 
-TEST_F(EveryKind, without_one_whole_edge_there_is_no_scale) {
+TEST_F(EveryKind, WithoutOneWholeEdgeThereIsNoScale) {
   Grouping corner;
   corner.kind = GroupingKind::kTriplet;
   corner.points.resize(4, Eigen::Vector2d(100, 100));

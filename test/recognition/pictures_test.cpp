@@ -50,7 +50,7 @@ struct Expectation {
 
 class ShippedPicture : public testing::TestWithParam<Expectation> {};
 
-TEST_P(ShippedPicture, shows_each_well_seen_object_exactly_once_and_nothing_else) {
+TEST_P(ShippedPicture, ShowsEachWellSeenObjectExactlyOnceAndNothingElse) {
   const Picture picture = shippedPicture(GetParam().picture);
   const RecognitionResult result = shippedRecognizer().recognize(picture.grey, picture.camera);
   EXPECT_FALSE(result.truncated);
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-TEST(ShippedPictures, golden_objects_are_accepted_with_a_report_of_the_stages) {
+TEST(ShippedPictures, GoldenObjectsAreAcceptedWithAReportOfTheStages) {
   const Picture picture = shippedPicture("golden/bridge");
   const RecognitionResult result = shippedRecognizer().recognize(picture.grey, picture.camera);
   ASSERT_EQ(result.objects.size(), 1u) << listed(result);
@@ -120,13 +120,13 @@ void expectNothing(const cv::Mat& grey, const Camera& camera, const std::string&
   EXPECT_FALSE(result.truncated) << what;
 }
 
-TEST(NothingKnown, clutter_is_nothing_and_the_reason_is_told) {
+TEST(NothingKnown, ClutterIsNothingAndTheReasonIsTold) {
   const Picture picture = shippedPicture("demo/nothing_known");
   ASSERT_TRUE(picture.truth.empty());
   expectNothing(picture.grey, picture.camera, "nothing_known");
 }
 
-TEST(NothingKnown, plain_noise_checks_and_stripes_are_nothing) {
+TEST(NothingKnown, PlainNoiseChecksAndStripesAreNothing) {
   const Camera camera = testCamera();
   const cv::Size size(camera.width, camera.height);
   for (int level : {0, 128, 255}) expectNothing(cv::Mat(size, CV_8UC1, cv::Scalar(level)), camera, "plain");
@@ -147,7 +147,7 @@ TEST(NothingKnown, plain_noise_checks_and_stripes_are_nothing) {
   expectNothing(stripes, camera, "stripes");
 }
 
-TEST(NothingKnown, the_reason_tells_an_empty_image_from_a_cluttered_one) {
+TEST(NothingKnown, TheReasonTellsAnEmptyImageFromAClutteredOne) {
   const Camera camera = testCamera();
   const cv::Mat plain(camera.height, camera.width, CV_8UC1, cv::Scalar(90));
   const std::string empty = shippedRecognizer().recognize(plain, camera).reason;
@@ -156,7 +156,7 @@ TEST(NothingKnown, the_reason_tells_an_empty_image_from_a_cluttered_one) {
   EXPECT_NE(shippedRecognizer().recognize(clutter.grey, clutter.camera).reason, empty);
 }
 
-TEST(DoubleSize, the_same_objects_at_the_same_poses) {
+TEST(DoubleSize, TheSameObjectsAtTheSamePoses) {
   for (const char* name : {"golden/grenade", "demo/two_bridges_and_grenade"}) {
     const Picture picture = shippedPicture(name);
     cv::Mat large;

@@ -9,6 +9,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "same_result.h"
+#include "support/refusal.h"
 #include "verified.h"
 #include "world.h"
 
@@ -18,16 +19,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "no refusal";
-}
-
 RecognitionRequest onlyFor(const std::string& name) {
   RecognitionRequest request;
   request.only = name;
@@ -36,7 +27,7 @@ RecognitionRequest onlyFor(const std::string& name) {
 
 Recognizer recognizerWith(const RecognitionOptions& options) { return {shippedModels(), options}; }
 
-TEST(Only, the_wanted_object_is_found_and_no_other_reported) {
+TEST(Only, TheWantedObjectIsFoundAndNoOtherReported) {
   const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
   const RecognitionResult all = shippedRecognizer().recognize(picture.grey, picture.camera);
   for (const char* name : {"grenade", "bridge"}) {
@@ -56,7 +47,7 @@ TEST(Only, the_wanted_object_is_found_and_no_other_reported) {
   }
 }
 
-TEST(Only, what_is_not_there_is_nothing_with_a_reason) {
+TEST(Only, WhatIsNotThereIsNothingWithAReason) {
   const Picture picture = shippedPicture("golden/grenade");
   const RecognitionResult result =
       shippedRecognizer().recognize(picture.grey, picture.camera, onlyFor("bridge"));
@@ -64,7 +55,7 @@ TEST(Only, what_is_not_there_is_nothing_with_a_reason) {
   EXPECT_FALSE(result.reason.empty());
 }
 
-TEST(BadInputs, an_unknown_name_is_refused_with_the_known_ones) {
+TEST(BadInputs, AnUnknownNameIsRefusedWithTheKnownOnes) {
   const Picture picture = shippedPicture("golden/bridge");
   EXPECT_THAT(
       refusal([&] { shippedRecognizer().recognize(picture.grey, picture.camera, onlyFor("brigde")); }),
@@ -72,14 +63,14 @@ TEST(BadInputs, an_unknown_name_is_refused_with_the_known_ones) {
             HasSubstr("flange"), HasSubstr("bracket")));
 }
 
-TEST(BadInputs, an_empty_model_base_or_a_bad_option_is_refused_at_once) {
+TEST(BadInputs, AnEmptyModelBaseOrABadOptionIsRefusedAtOnce) {
   EXPECT_THAT(refusal([] { Recognizer(ModelBase{}); }), HasSubstr("model base is empty"));
   RecognitionOptions options;
   options.accept_probability = 2;
   EXPECT_THAT(refusal([&] { recognizerWith(options); }), HasSubstr("accept_probability"));
 }
 
-TEST(BadInputs, images_that_are_empty_coloured_deep_or_of_another_size_are_refused) {
+TEST(BadInputs, ImagesThatAreEmptyColouredDeepOrOfAnotherSizeAreRefused) {
   const Camera camera = testCamera();
   const auto tell = [&](const cv::Mat& image) {
     return refusal([&] { shippedRecognizer().recognize(image, camera); });
@@ -91,7 +82,7 @@ TEST(BadInputs, images_that_are_empty_coloured_deep_or_of_another_size_are_refus
               AllOf(HasSubstr("480 x 640"), HasSubstr("640 x 480")));
 }
 
-TEST(BadInputs, a_camera_without_calibration_is_refused) {
+TEST(BadInputs, ACameraWithoutCalibrationIsRefused) {
   const cv::Mat image(480, 640, CV_8UC1, cv::Scalar(100));
   const auto tell = [&](auto&& spoil) {
     Camera camera = testCamera();
@@ -104,7 +95,7 @@ TEST(BadInputs, a_camera_without_calibration_is_refused) {
   EXPECT_THAT(tell([](Camera* c) { c->width = 0; }), HasSubstr("width"));
 }
 
-TEST(SameQuestion, same_answer_bit_by_bit_again_and_from_two_threads_at_once) {
+TEST(SameQuestion, SameAnswerBitByBitAgainAndFromTwoThreadsAtOnce) {
   const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
   const RecognitionResult first = shippedRecognizer().recognize(picture.grey, picture.camera);
   ASSERT_FALSE(first.objects.empty());
@@ -116,7 +107,7 @@ TEST(SameQuestion, same_answer_bit_by_bit_again_and_from_two_threads_at_once) {
   expectSame(first, right);
 }
 
-TEST(SameQuestion, same_answer_bit_by_bit_on_any_number_of_threads) {
+TEST(SameQuestion, SameAnswerBitByBitOnAnyNumberOfThreads) {
   const Picture picture = shippedPicture("demo/frame_and_flange");
   RecognitionOptions options;
   options.threads = 1;
@@ -130,13 +121,13 @@ TEST(SameQuestion, same_answer_bit_by_bit_on_any_number_of_threads) {
   }
 }
 
-TEST(Threads, the_ray_tracer_leaves_them_to_the_recogniser) {
+TEST(Threads, TheRayTracerLeavesThemToTheRecogniser) {
   ASSERT_FALSE(shippedRecognizer().models().objects.empty());  // with their ray scenes
   EXPECT_GE(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
             std::thread::hardware_concurrency());
 }
 
-TEST(SameQuestion, same_answer_bit_by_bit_on_any_number_of_threads_with_a_budget_or_one_wanted_object) {
+TEST(SameQuestion, SameAnswerBitByBitOnAnyNumberOfThreadsWithABudgetOrOneWantedObject) {
   const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
   RecognitionOptions alone;
   alone.threads = 1;
@@ -148,7 +139,7 @@ TEST(SameQuestion, same_answer_bit_by_bit_on_any_number_of_threads_with_a_budget
                recognizerWith(shared).recognize(picture.grey, picture.camera, request));
 }
 
-TEST(SameQuestion, the_image_may_be_a_part_of_a_larger_one) {
+TEST(SameQuestion, TheImageMayBeAPartOfALargerOne) {
   const Picture picture = shippedPicture("golden/bracket");
   cv::Mat framed;
   cv::copyMakeBorder(picture.grey, framed, 10, 20, 30, 40, cv::BORDER_CONSTANT, 255);
@@ -158,7 +149,7 @@ TEST(SameQuestion, the_image_may_be_a_part_of_a_larger_one) {
              shippedRecognizer().recognize(view, picture.camera));
 }
 
-TEST(Budget, bounds_the_work_and_answers_the_same_each_time) {
+TEST(Budget, BoundsTheWorkAndAnswersTheSameEachTime) {
   const Picture picture = shippedPicture("golden/bridge");
   const RecognitionResult whole = shippedRecognizer().recognize(picture.grey, picture.camera);
   RecognitionOptions options;
@@ -172,7 +163,7 @@ TEST(Budget, bounds_the_work_and_answers_the_same_each_time) {
   EXPECT_FALSE(once.truncated) << "only the wall clock makes results that may differ";
 }
 
-TEST(Budget, is_dealt_out_to_all_objects_whatever_their_order) {
+TEST(Budget, IsDealtOutToAllObjectsWhateverTheirOrder) {
   for (const char* name :
        {"golden/bridge", "golden/flange", "golden/bracket"}) {  // first and last of the base
     const Picture picture = shippedPicture(name);
@@ -184,7 +175,7 @@ TEST(Budget, is_dealt_out_to_all_objects_whatever_their_order) {
   }
 }
 
-TEST(Budget, a_tiny_one_ends_early) {
+TEST(Budget, ATinyOneEndsEarly) {
   const Picture picture = shippedPicture("golden/bridge");
   RecognitionOptions options;
   options.budget = 1;
@@ -195,7 +186,7 @@ TEST(Budget, a_tiny_one_ends_early) {
   EXPECT_THAT(result.reason, HasSubstr("the budget of 1 hypotheses was spent"));
 }
 
-TEST(TimeLimit, cuts_the_search_and_says_so) {
+TEST(TimeLimit, CutsTheSearchAndSaysSo) {
   const Picture picture = shippedPicture("demo/frame_and_flange");
   RecognitionOptions options;
   options.time_limit = 1e-6;
@@ -206,7 +197,7 @@ TEST(TimeLimit, cuts_the_search_and_says_so) {
   EXPECT_THAT(result.reason, HasSubstr("time limit"));
 }
 
-TEST(TimeLimit, a_generous_one_changes_nothing) {
+TEST(TimeLimit, AGenerousOneChangesNothing) {
   const Picture picture = shippedPicture("golden/bracket");
   RecognitionOptions options;
   options.time_limit = 3600;
@@ -254,7 +245,7 @@ class JudgedOn : public testing::TestWithParam<const char*> {
   const RecognitionResult& result_ = judgedResult(GetParam());
 };
 
-TEST_P(JudgedOn, asking_for_the_candidates_changes_no_answer) {
+TEST_P(JudgedOn, AskingForTheCandidatesChangesNoAnswer) {
   const Picture picture = shippedPicture(GetParam());
   const RecognitionResult plain = shippedRecognizer().recognize(picture.grey, picture.camera);
   expectSame(plain, result_);
@@ -262,13 +253,13 @@ TEST_P(JudgedOn, asking_for_the_candidates_changes_no_answer) {
   EXPECT_GT(result_.judged.size(), result_.objects.size() + result_.rejected.size());
 }
 
-TEST_P(JudgedOn, the_choice_can_be_made_again) {
+TEST_P(JudgedOn, TheChoiceCanBeMadeAgain) {
   const std::vector<int> suppressed_by = chosenAgain(result_.judged);
   for (size_t i = 0; i < result_.judged.size(); ++i)
     EXPECT_EQ(result_.judged[i].suppressed_by, suppressed_by[i]) << i;
 }
 
-TEST_P(JudgedOn, the_chosen_ones_are_those_that_are_reported) {
+TEST_P(JudgedOn, TheChosenOnesAreThoseThatAreReported) {
   std::vector<const ObjectEstimate*> reported;
   for (const auto* objects : {&result_.objects, &result_.rejected})
     for (const ObjectEstimate& object : *objects) reported.push_back(&object);
@@ -289,7 +280,7 @@ TEST_P(JudgedOn, the_chosen_ones_are_those_that_are_reported) {
     EXPECT_EQ((*same)->plausibility, judged.plausibility);
     EXPECT_EQ((*same)->reliability, judged.reliability);
     EXPECT_EQ((*same)->evidence, judged.evidence);
-    EXPECT_STREQ(name((*same)->decision), name(judged.fate));
+    EXPECT_EQ(toString((*same)->decision), toString(judged.fate));
     EXPECT_EQ((*same)->spoke_against.empty(), judged.strongest_against.empty());
     if (!judged.strongest_against.empty()) {
       EXPECT_THAT((*same)->spoke_against.front(), testing::StartsWith(judged.strongest_against + " "));
@@ -298,7 +289,7 @@ TEST_P(JudgedOn, the_chosen_ones_are_those_that_are_reported) {
   EXPECT_EQ(chosen, reported.size());
 }
 
-TEST_P(JudgedOn, rank_scores_are_what_the_header_says) {
+TEST_P(JudgedOn, RankScoresAreWhatTheHeaderSays) {
   for (const JudgedCandidate& judged : result_.judged) {
     const double score =
         std::sqrt(judged.evidence.at("sum")) * (judged.probability / judged.winners_share + 0.05);
@@ -312,7 +303,7 @@ INSTANTIATE_TEST_SUITE_P(Pictures, JudgedOn,
                          [](const auto& info) { return std::string(info.param).substr(5); });
 
 // A part of a third of the size at a third of the distance gives the same image.
-TEST(Options, small_parts_are_found_from_near) {
+TEST(Options, SmallPartsAreFoundFromNear) {
   const Picture picture = shippedPicture("golden/grenade");  // stands at 0.45 m
   const ObjectModel& full_size = shippedModel("grenade");
   Mesh mesh = full_size.mesh;
@@ -326,13 +317,13 @@ TEST(Options, small_parts_are_found_from_near) {
   EXPECT_LT((centre - truth).norm(), 0.002);
 }
 
-TEST(Options, nothing_is_looked_for_nearer_than_its_diameter) {
+TEST(Options, NothingIsLookedForNearerThanItsDiameter) {
   RecognitionOptions options;
   EXPECT_EQ(options.nearest(0.02), options.min_distance);
   EXPECT_EQ(options.nearest(0.3), 0.3);
 }
 
-TEST(Options, distances_and_sizes_that_are_not_considered_are_not_found) {
+TEST(Options, DistancesAndSizesThatAreNotConsideredAreNotFound) {
   const Picture picture = shippedPicture("golden/grenade");  // stands at 0.45 m
   RecognitionOptions far;
   far.min_distance = 0.7;

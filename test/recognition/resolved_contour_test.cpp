@@ -27,15 +27,15 @@ bool besideEachOther(const SeenSample& a, const SeenSample& b) {
   const Eigen::Vector2d apart = b.uv - a.uv;
   const double along = std::abs(a.direction.dot(apart));
   const double across = std::sqrt(std::max(0.0, apart.squaredNorm() - along * along));
-  return a.group != b.group && std::abs(a.direction.dot(b.direction)) > 0.9 && across < 2.5 && along < 3;
+  return a.feature != b.feature && std::abs(a.direction.dot(b.direction)) > 0.9 && across < 2.5 && along < 3;
 }
 
-TEST(ResolvedContour, of_a_thick_plate_is_all_of_it) {
+TEST(ResolvedContour, OfAThickPlateIsAllOfIt) {
   const Plate plate(0.03);
   EXPECT_EQ(plate.resolved.size(), plate.drawn.size());
 }
 
-TEST(ResolvedContour, of_a_thin_plate_has_one_rim) {
+TEST(ResolvedContour, OfAThinPlateHasOneRim) {
   const Plate plate(0.001);
   EXPECT_LT(plate.resolved.size(), 0.85 * plate.drawn.size());
   EXPECT_GT(plate.resolved.size(), 0.5 * plate.drawn.size());
@@ -43,7 +43,7 @@ TEST(ResolvedContour, of_a_thin_plate_has_one_rim) {
     for (const SeenSample& b : plate.resolved) EXPECT_FALSE(besideEachOther(a, b));
 }
 
-TEST(ResolvedContour, keeps_the_outline) {
+TEST(ResolvedContour, KeepsTheOutline) {
   const Plate plate(0.001);
   const auto outline = [](const std::vector<SeenSample>& contour) {
     return std::count_if(contour.begin(), contour.end(), [](const SeenSample& s) { return s.silhouette; });
@@ -60,22 +60,22 @@ std::vector<SeenSample> lines(int count, double apart) {
       s.p_in_object = {4.0 * k, apart * line, 0};
       s.uv = {100 + 4.0 * k, 100 + apart * line};
       s.direction = {1, 0};
-      s.group = line;
+      s.feature = line;
       contour.push_back(s);
     }
   return contour;
 }
 
-TEST(CrowdedRings, are_the_inner_ones_of_many) {
+TEST(CrowdedRings, AreTheInnerOnesOfMany) {
   ObjectModel rings;
   rings.circles.resize(7);
   const std::vector<SeenSample> contour = lines(7, 4);
   const std::vector<char> crowded = crowdedRings(rings, contour);
   for (size_t i = 0; i < contour.size(); ++i)
-    EXPECT_EQ(crowded[i] != 0, contour[i].group >= 2 && contour[i].group <= 4) << contour[i].group;
+    EXPECT_EQ(crowded[i] != 0, contour[i].feature >= 2 && contour[i].feature <= 4) << contour[i].feature;
 }
 
-TEST(CrowdedRings, are_no_few_rings_nor_rings_far_apart_nor_straight_edges) {
+TEST(CrowdedRings, AreNoFewRingsNorRingsFarApartNorStraightEdges) {
   ObjectModel rings, edges;
   rings.circles.resize(9);
   edges.edges.resize(9);

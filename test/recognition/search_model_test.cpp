@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
+#include "support/random.h"
 #include "world.h"
 
 namespace monocular_eye_hand {
@@ -20,13 +21,9 @@ const SearchModel& searchModel(const std::string& name) {
 const char* const kParts[] = {"bridge", "grenade", "frame", "flange", "bracket"};
 
 Rigid3 randomPose(std::mt19937* random) {
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform;
-  Eigen::Quaterniond q(normal(*random), normal(*random), normal(*random), normal(*random));
-  Rigid3 pose;
-  pose.rotation = q.normalized().toRotationMatrix();
-  pose.translation = {0.3 * uniform(*random) - 0.15, 0.3 * uniform(*random) - 0.15, 0.5 + uniform(*random)};
-  return pose;
+  const Eigen::Matrix3d rotation = randomRotation(*random);
+  const double x = uniform(*random, -0.15, 0.15), y = uniform(*random, -0.15, 0.15);
+  return {rotation, {x, y, uniform(*random, 0.5, 1.5)}};
 }
 
 Rigid3 turned(const SymmetryAxis& axis, double angle) {
@@ -58,7 +55,7 @@ Rigid3 seenFrom(const SearchModel& model, const Eigen::Vector3d& eye) {
   return pose;
 }
 
-TEST(SearchModel, a_grouping_shows_wherever_a_sampled_view_sees_it_or_an_equal_copy) {
+TEST(SearchModel, AGroupingShowsWhereverASampledViewSeesItOrAnEqualCopy) {
   for (const char* part : kParts) {
     const SearchModel& model = searchModel(part);
     const std::vector<Rigid3>& symmetries = model.model().symmetries.discrete;
@@ -72,7 +69,7 @@ TEST(SearchModel, a_grouping_shows_wherever_a_sampled_view_sees_it_or_an_equal_c
   }
 }
 
-TEST(SearchModel, the_corners_of_a_face_do_not_show_from_behind) {
+TEST(SearchModel, TheCornersOfAFaceDoNotShowFromBehind) {
   int faces = 0;
   for (const char* part : {"bridge", "grenade", "bracket"}) {
     const SearchModel& model = searchModel(part);
@@ -90,7 +87,7 @@ TEST(SearchModel, the_corners_of_a_face_do_not_show_from_behind) {
   EXPECT_GE(faces, 10);
 }
 
-TEST(SearchModel, a_canonical_pose_is_equal_and_its_view_is_near_the_eye) {
+TEST(SearchModel, ACanonicalPoseIsEqualAndItsViewIsNearTheEye) {
   std::mt19937 random(1);
   for (const char* part : kParts) {
     const SearchModel& model = searchModel(part);
@@ -114,7 +111,7 @@ TEST(SearchModel, a_canonical_pose_is_equal_and_its_view_is_near_the_eye) {
   }
 }
 
-TEST(SearchModel, the_camera_is_outside_the_hull_and_every_point_in_front) {
+TEST(SearchModel, TheCameraIsOutsideTheHullAndEveryPointInFront) {
   const SearchModel& model = searchModel("frame");  // 300 x 220 x 25 mm
   const Eigen::Vector3d centre = model.model().centre();
   const auto seenAt = [&](const Eigen::Vector3d& centre_in_camera, double turn) {
@@ -130,7 +127,7 @@ TEST(SearchModel, the_camera_is_outside_the_hull_and_every_point_in_front) {
   EXPECT_FALSE(seenAt({0, 0, -0.5}, 0)) << "behind the camera";
 }
 
-TEST(SearchModel, equal_poses_have_one_canonical_pose) {
+TEST(SearchModel, EqualPosesHaveOneCanonicalPose) {
   std::mt19937 random(2);
   for (const char* part : kParts) {
     const SearchModel& model = searchModel(part);
@@ -151,7 +148,7 @@ TEST(SearchModel, equal_poses_have_one_canonical_pose) {
   }
 }
 
-TEST(SearchModel, canonical_is_stable) {
+TEST(SearchModel, CanonicalIsStable) {
   std::mt19937 random(3);
   for (const char* part : kParts)
     for (int i = 0; i < 50; ++i) {
@@ -164,7 +161,7 @@ TEST(SearchModel, canonical_is_stable) {
     }
 }
 
-TEST(PoseDistance, is_zero_between_symmetric_copies_and_only_there) {
+TEST(PoseDistance, IsZeroBetweenSymmetricCopiesAndOnlyThere) {
   std::mt19937 random(4);
   for (const char* part : kParts) {
     const SearchModel& model = searchModel(part);
@@ -182,7 +179,7 @@ TEST(PoseDistance, is_zero_between_symmetric_copies_and_only_there) {
   }
 }
 
-TEST(PoseDistance, is_the_largest_shift_in_the_image) {
+TEST(PoseDistance, IsTheLargestShiftInTheImage) {
   Rigid3 pose, moved;
   pose.translation = {0, 0, 1};
   moved.translation = {0.01, 0, 1};
@@ -224,7 +221,7 @@ class OnPicture : public testing::TestWithParam<const char*> {
   Rigid3 truth_;
 };
 
-TEST_P(OnPicture, the_true_pose_scores_far_above_perturbed_ones) {
+TEST_P(OnPicture, TheTruePoseScoresFarAbovePerturbedOnes) {
   const CoarseScore truth = score(truth_);
   EXPECT_GT(truth.evidence, 25);
   EXPECT_NEAR(truth.in_frame, 1, 1e-6);
@@ -236,7 +233,7 @@ TEST_P(OnPicture, the_true_pose_scores_far_above_perturbed_ones) {
   }
 }
 
-TEST_P(OnPicture, what_lies_beyond_the_image_says_nothing) {
+TEST_P(OnPicture, WhatLiesBeyondTheImageSaysNothing) {
   // The image ends at the object's centre.
   RectDomain cut = domain_;
   cut.width = int(picture_.camera.project(truth_ * shippedModel(GetParam()).centre()).x());

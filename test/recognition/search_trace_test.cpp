@@ -41,7 +41,7 @@ void expectAllStagesWithin(const PoseTrace& trace, double px) {
   EXPECT_LT(trace.recorded, px);
 }
 
-TEST(SearchTrace, changes_no_answer_and_shows_the_way_of_what_is_found) {
+TEST(SearchTrace, ChangesNoAnswerAndShowsTheWayOfWhatIsFound) {
   const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
   const std::vector<PoseProposal> poses = truePoses(picture);
   const RecognitionResult result = traced(picture, poses);
@@ -51,7 +51,7 @@ TEST(SearchTrace, changes_no_answer_and_shows_the_way_of_what_is_found) {
   for (const PoseTrace& trace : result.traces) expectAllStagesWithin(trace, 10);
 }
 
-TEST(SearchTrace, of_a_stage_nothing_can_be_nearer_than_of_those_that_it_chooses_from) {
+TEST(SearchTrace, OfAStageNothingCanBeNearerThanOfThoseThatItChoosesFrom) {
   const Picture picture = shippedPicture("demo/two_bridges_and_grenade");
   for (const PoseTrace& trace : traced(picture, truePoses(picture)).traces) {
     EXPECT_LE(trace.generated, trace.taken);
@@ -59,7 +59,7 @@ TEST(SearchTrace, of_a_stage_nothing_can_be_nearer_than_of_those_that_it_chooses
   }
 }
 
-TEST(SearchTrace, where_nothing_is_the_nearest_is_far) {
+TEST(SearchTrace, WhereNothingIsTheNearestIsFar) {
   const Picture picture = shippedPicture("golden/grenade");
   Rigid3 elsewhere = picture.truth.at(0).camera_from_object;
   elsewhere.translation = {0.12, 0.1, 0.6};  // where the ground is bare
@@ -70,7 +70,7 @@ TEST(SearchTrace, where_nothing_is_the_nearest_is_far) {
   EXPECT_GT(result.traces[0].recorded, 20);
 }
 
-TEST(SearchTrace, an_object_that_is_not_wanted_comes_nowhere) {
+TEST(SearchTrace, AnObjectThatIsNotWantedComesNowhere) {
   const Picture picture = shippedPicture("golden/bridge");
   RecognitionRequest request;
   request.only = "grenade";
@@ -82,7 +82,7 @@ TEST(SearchTrace, an_object_that_is_not_wanted_comes_nowhere) {
   EXPECT_EQ(result.traces[0].recorded, kNone);
 }
 
-TEST(SearchTrace, distances_are_in_pixels_of_the_image_given) {
+TEST(SearchTrace, DistancesAreInPixelsOfTheImageGiven) {
   const Picture small = shippedPicture("golden/bridge");
   const Picture large = enlarged(small);
   ASSERT_GT(large.camera.width, RecognitionOptions().search_width);
@@ -101,7 +101,7 @@ TEST(SearchTrace, distances_are_in_pixels_of_the_image_given) {
   EXPECT_NEAR(in_large / in_small, 2, 0.2);
 }
 
-TEST(SearchTrace, without_a_search_nothing_is_known) {
+TEST(SearchTrace, WithoutASearchNothingIsKnown) {
   const Picture picture = shippedPicture("golden/bridge");
   RecognitionRequest request;
   request.traced = truePoses(picture);
@@ -111,7 +111,7 @@ TEST(SearchTrace, without_a_search_nothing_is_known) {
   EXPECT_TRUE(result.traces.empty());
 }
 
-TEST(SearchTrace, poses_that_cannot_be_traced_are_refused) {
+TEST(SearchTrace, PosesThatCannotBeTracedAreRefused) {
   const Picture picture = shippedPicture("golden/bridge");
   PoseProposal pose = truePoses(picture).at(0);
   EXPECT_THROW(traced(picture, {{int(shippedModels().objects.size()), pose.camera_from_object}}), BadInput);
@@ -143,12 +143,12 @@ class Explained : public testing::Test {
   DetectedEllipse ellipse_;
 };
 
-TEST_F(Explained, a_claimed_point_answers_for_its_neighbours_on_its_trace) {
+TEST_F(Explained, AClaimedPointAnswersForItsNeighboursOnItsTrace) {
   const std::vector<char> explained = explainedPoints(features_, {8});
   for (int i = 0; i < 20; ++i) EXPECT_EQ(bool(explained[size_t(i)]), i >= 5 && i < 10) << i;
 }
 
-TEST_F(Explained, a_feature_is_explained_when_most_of_its_points_are) {
+TEST_F(Explained, AFeatureIsExplainedWhenMostOfItsPointsAre) {
   EXPECT_TRUE(isExplained(segment_, explainedPoints(features_, {3})));    // 0 to 6
   EXPECT_FALSE(isExplained(segment_, explainedPoints(features_, {2})));   // 0 to 5
   EXPECT_FALSE(isExplained(segment_, explainedPoints(features_, {13})));  // on the other trace

@@ -21,28 +21,28 @@ std::vector<ShadedPixel> litBall(int count, double noise) {
   return pixels;
 }
 
-TEST(Shading, of_a_lit_body_is_explained) { EXPECT_GT(shadingExplained(litBall(400, 3)), 0.97); }
+TEST(Shading, OfALitBodyIsExplained) { EXPECT_GT(shadingExplained(litBall(400, 3)), 0.97); }
 
-TEST(FittedLight, is_the_light_that_was_there) {
+TEST(FittedLight, IsTheLightThatWasThere) {
   const FittedLight fitted = fitLight(litBall(400, 3));
   EXPECT_NEAR((fitted.light - Eigen::Vector4d(120, 30, -60, -70)).norm(), 0, 3);
   EXPECT_NEAR(fitted.residual, 2, 0.5) << "the median of |noise| is 0.67 of its deviation";
   EXPECT_NEAR(fitted.grey({0, 0, -1}), 190, 2);
 }
 
-TEST(Shading, highlights_do_not_bend_the_light) {
+TEST(Shading, HighlightsDoNotBendTheLight) {
   std::vector<ShadedPixel> pixels = litBall(400, 3);
   for (size_t i = 0; i < 40; ++i) pixels[i].grey = 255;
   EXPECT_GT(shadingExplained(pixels), 0.7);
 }
 
-TEST(Shading, that_has_nothing_to_do_with_the_normals_is_not) {
+TEST(Shading, ThatHasNothingToDoWithTheNormalsIsNot) {
   std::vector<ShadedPixel> pixels = litBall(400, 3);
   for (size_t i = 0; i < pixels.size(); ++i) pixels[i].grey = float(40 + (i * 7919) % 180);
   EXPECT_LT(shadingExplained(pixels), 0.1);
 }
 
-TEST(Shading, of_one_flat_face_or_a_few_pixels_tells_nothing) {
+TEST(Shading, OfOneFlatFaceOrAFewPixelsTellsNothing) {
   std::vector<ShadedPixel> flat = litBall(400, 3);
   for (size_t i = 0; i < flat.size(); ++i) flat[i] = {{0, 0, -1}, float(100 + i % 5)};
   EXPECT_NEAR(shadingExplained(flat), 0, 0.1);

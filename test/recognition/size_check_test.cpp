@@ -11,13 +11,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 Camera camera(int width, double focal) {
-  Camera c;
-  c.width = width;
-  c.height = width * 3 / 4;
-  c.fx = c.fy = focal;
-  c.cx = width / 2.0;
-  c.cy = c.height / 2.0;
-  return c;
+  const int height = width * 3 / 4;
+  return {width, height, focal, focal, width / 2.0, height / 2.0, DistortionModel::kNone, {}};
 }
 
 ModelBase partOf(double diameter) {

@@ -5,6 +5,7 @@
 #include "monocular_eye_hand/geometry/look_at.h"
 #include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/simulation/render.h"
+#include "support/pose_matchers.h"
 #include "world.h"
 
 namespace monocular_eye_hand {
@@ -53,17 +54,17 @@ Rigid3 turnedAbout(const Eigen::Vector3d& axis, double angle, const Eigen::Vecto
 }
 
 // boxMesh() and cylinderMesh() stand on z = 0.
-TEST(DirectionsUpAtRest, of_a_brick_are_its_six_sides) {
+TEST(DirectionsUpAtRest, OfABrickAreItsSixSides) {
   const std::vector<Eigen::Vector3d> up = directionsUpAtRest(brick());
   ASSERT_EQ(up.size(), 6u);
   for (const Eigen::Vector3d& direction : up) EXPECT_NEAR(direction.cwiseAbs().maxCoeff(), 1, 1e-9);
 }
 
-TEST(DirectionsUpAtRest, of_a_sheet_without_thickness_are_none) {
+TEST(DirectionsUpAtRest, OfASheetWithoutThicknessAreNone) {
   EXPECT_TRUE(directionsUpAtRest(buildModel("sheet", quadMesh(0.1, 0.1))).empty());
 }
 
-TEST(Support, gains_when_the_part_rests_on_each_of_its_sides) {
+TEST(Support, GainsWhenThePartRestsOnEachOfItsSides) {
   for (const Rigid3& world_from_camera : cameras()) {
     EXPECT_GT(evidenceAt(world_from_camera, brick(), {}).rests, 0.95);
     const Rigid3 on_its_edge = turnedAbout({1, 0, 0}, M_PI / 2, {0, 0, 0.03});
@@ -71,7 +72,7 @@ TEST(Support, gains_when_the_part_rests_on_each_of_its_sides) {
   }
 }
 
-TEST(Support, gains_nothing_for_a_part_that_leans_or_lies_on_another) {
+TEST(Support, GainsNothingForAPartThatLeansOrLiesOnAnother) {
   for (const Rigid3& world_from_camera : cameras()) {
     const SupportEvidence leans =
         evidenceAt(world_from_camera, brick(), turnedAbout({1, 0, 0}, 0.3, {0, 0, 0.03 * std::sin(0.3)}));
@@ -85,7 +86,7 @@ TEST(Support, gains_nothing_for_a_part_that_leans_or_lies_on_another) {
   }
 }
 
-TEST(Support, refuses_a_pose_that_reaches_below_by_more_than_tolerance_and_three_sigmas) {
+TEST(Support, RefusesAPoseThatReachesBelowByMoreThanToleranceAndThreeSigmas) {
   for (const Rigid3& world_from_camera : cameras()) {
     const Rigid3 sunk{Eigen::Matrix3d::Identity(), {0, 0, -0.012}};
     const SupportEvidence evidence = evidenceAt(world_from_camera, brick(), sunk);
@@ -96,7 +97,7 @@ TEST(Support, refuses_a_pose_that_reaches_below_by_more_than_tolerance_and_three
   }
 }
 
-TEST(Support, lets_a_roller_lie_on_any_line_of_its_side) {
+TEST(Support, LetsARollerLieOnAnyLineOfItsSide) {
   ASSERT_TRUE(roller().symmetries.axis) << "24 facets are a cylinder";
   for (double angle : {0.0, 0.05, 0.13, 1.0}) {
     const Rigid3 lying{expSO3({M_PI / 2, 0, 0}) * expSO3({0, 0, angle}), {0, 0.04, 0.02}};
@@ -104,7 +105,7 @@ TEST(Support, lets_a_roller_lie_on_any_line_of_its_side) {
   }
 }
 
-TEST(SupportPlane, that_is_none_is_refused_by_name) {
+TEST(SupportPlane, ThatIsNoneIsRefusedByName) {
   SupportPlane plane;
   EXPECT_NO_THROW(plane.check());
   plane.normal = {0, 0, 2};
@@ -137,16 +138,16 @@ class KnownTable : public testing::Test {
   }
 };
 
-TEST_F(KnownTable, makes_what_rests_on_it_likelier) {
+TEST_F(KnownTable, MakesWhatRestsOnItLikelier) {
   const RecognitionResult without = recognized({}), with = recognized(planeAt(lowest()));
   ASSERT_EQ(without.objects.size(), 1u) << listed(without);
   ASSERT_EQ(with.objects.size(), 1u) << listed(with);
   EXPECT_GE(with.objects[0].probability, without.objects[0].probability);
-  EXPECT_LT(difference(with.objects[0].camera_from_object, without.objects[0].camera_from_object).norm(),
-            1e-9);
+  EXPECT_THAT(without.objects[0].camera_from_object,
+              PoseNear(with.objects[0].camera_from_object, 1e-06, 6e-08));
 }
 
-TEST_F(KnownTable, refuses_what_would_lie_below_and_says_why) {
+TEST_F(KnownTable, RefusesWhatWouldLieBelowAndSaysWhy) {
   const RecognitionResult result = recognized(planeAt(lowest() + 0.05));
   EXPECT_TRUE(result.objects.empty()) << listed(result);
   EXPECT_THAT(result.reason, HasSubstr("below the support plane"));

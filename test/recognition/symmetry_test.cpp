@@ -1,5 +1,6 @@
 // Equal poses: reported once, named, and near the last frame's.
 #include "monocular_eye_hand/geometry/covariance.h"
+#include "support/pose_matchers.h"
 #include "world.h"
 
 namespace monocular_eye_hand {
@@ -23,7 +24,7 @@ ObjectEstimate theOnly(const std::string& picture_name, const RecognitionRequest
   return result.objects[0];
 }
 
-TEST(EqualPoses, each_object_is_reported_once_and_says_how_many_poses_are_equal) {
+TEST(EqualPoses, EachObjectIsReportedOnceAndSaysHowManyPosesAreEqual) {
   for (const auto& [name, count] : {std::pair{"bridge", 2}, {"frame", 4}}) {
     const ObjectEstimate object = theOnly(name);
     EXPECT_THAT(object.symmetry, HasSubstr(std::to_string(count) + " equal poses"));
@@ -40,7 +41,7 @@ TEST(EqualPoses, each_object_is_reported_once_and_says_how_many_poses_are_equal)
   EXPECT_EQ(theOnly("grenade").symmetry, "");
 }
 
-TEST(EqualPoses, of_the_equal_ones_the_one_nearest_to_the_last_frame_is_reported) {
+TEST(EqualPoses, OfTheEqualOnesTheOneNearestToTheLastFrameIsReported) {
   for (const char* name : {"bridge", "frame"}) {
     const ObjectEstimate first = theOnly(name);
     for (const Rigid3& s : shippedModel(name).symmetries.discrete) {
@@ -57,7 +58,7 @@ TEST(EqualPoses, of_the_equal_ones_the_one_nearest_to_the_last_frame_is_reported
   }
 }
 
-TEST(EqualPoses, another_object_or_one_far_away_does_not_choose) {
+TEST(EqualPoses, AnotherObjectOrOneFarAwayDoesNotChoose) {
   const ObjectEstimate first = theOnly("bridge");
   const Rigid3 other_way = first.camera_from_object * shippedModel("bridge").symmetries.discrete[1];
   RecognitionRequest request;
@@ -70,7 +71,7 @@ TEST(EqualPoses, another_object_or_one_far_away_does_not_choose) {
   EXPECT_EQ(theOnly("bridge", request).camera_from_object.rotation, first.camera_from_object.rotation);
 }
 
-TEST(FreeAxis, is_named_and_its_angle_is_unknown) {
+TEST(FreeAxis, IsNamedAndItsAngleIsUnknown) {
   const ObjectEstimate flange = theOnly("flange");
   EXPECT_TRUE(flange.free_axis);
   EXPECT_THAT(flange.symmetry, HasSubstr("free about the axis"));
@@ -83,7 +84,7 @@ TEST(FreeAxis, is_named_and_its_angle_is_unknown) {
   EXPECT_LT(across, 0.03) << "the direction of the axis itself is seen";
 }
 
-TEST(FreeAxis, the_angle_of_the_last_frame_is_kept) {
+TEST(FreeAxis, TheAngleOfTheLastFrameIsKept) {
   const ObjectEstimate first = theOnly("flange");
   const SymmetryAxis& axis = shippedModel("flange").symmetries.axis.value();
   for (double angle : {0.5, 2.0, -1.3, 3.1}) {
@@ -98,13 +99,13 @@ TEST(FreeAxis, the_angle_of_the_last_frame_is_kept) {
     // The same image, as sure of the point that both origins turn about.
     const auto sigma = [&](const ObjectEstimate& o) {
       const Eigen::Vector3d arm = o.camera_from_object.rotation * axis.point;
-      return carried(motionAtOffset(arm), o.covariance).diagonal().head<3>().cwiseSqrt().eval();
+      return propagate(adjointOfTranslation(arm), o.covariance).diagonal().head<3>().cwiseSqrt().eval();
     };
     EXPECT_LT((sigma(again) - sigma(first)).norm(), 1e-6 * sigma(first).norm()) << angle;
   }
 }
 
-TEST(NearestEqualPose, is_equal_and_the_nearest) {
+TEST(NearestEqualPose, IsEqualAndTheNearest) {
   Rigid3 pose;
   pose.rotation = expSO3({0.3, -0.8, 1.1});
   pose.translation = {0.02, -0.05, 0.7};
@@ -114,7 +115,7 @@ TEST(NearestEqualPose, is_equal_and_the_nearest) {
       Vector6d step;
       step << 0.01, 0, -0.01, 0.1, 0.2, -0.1;
       const Rigid3 wanted = perturbed(pose * s, step);
-      EXPECT_LT(difference(nearestEqualPose(model, pose, wanted), pose * s).norm(), 1e-9) << name;
+      EXPECT_THAT(pose * s, PoseNear(nearestEqualPose(model, pose, wanted), 1e-06, 6e-08)) << name;
     }
   }
   const ObjectModel& flange = shippedModel("flange");
@@ -122,7 +123,7 @@ TEST(NearestEqualPose, is_equal_and_the_nearest) {
   EXPECT_LT(angleBetween(nearestEqualPose(flange, pose, wanted).rotation, wanted.rotation), 1e-6);
 }
 
-TEST(DescribeSymmetry, in_words) {
+TEST(DescribeSymmetry, InWords) {
   Symmetries symmetries;
   EXPECT_EQ(describeSymmetry(symmetries), "");
   symmetries.discrete.push_back(turnedAboutZ(M_PI));

@@ -26,7 +26,7 @@ Rigid3 shifted(const Rigid3& pose, double du, double dv, const Camera& camera) {
 
 class OnGolden : public testing::TestWithParam<const char*> {};
 
-TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
+TEST_P(OnGolden, TheTruePoseIsBorneOutAndAShiftedOneIsNot) {
   const Picture picture = shippedPicture(std::string("golden/") + GetParam());
   const SearchImage image = looked(picture.grey, picture.camera);
   const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf(GetParam()))));
@@ -48,7 +48,7 @@ TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
   EXPECT_GE(t.faces, 2);
   EXPECT_GT(t.solidity, 0.2);
   EXPECT_LE(t.solidity, 1);
-  EXPECT_EQ(right.matched_groups, int(std::lround(t.groups * (1 - t.unsupported))));
+  EXPECT_EQ(right.matched_features, int(std::lround(t.groups * (1 - t.unsupported))));
 
   for (const auto& [du, dv] : {std::pair{15.0, 0.0}, {0.0, 15.0}, {-12.0, 12.0}}) {
     const EvidenceTerms wrong = verified(image, model, shifted(truth, du, dv, picture.camera)).terms;
@@ -60,7 +60,7 @@ TEST_P(OnGolden, the_true_pose_is_borne_out_and_a_shifted_one_is_not) {
   EXPECT_GT(fittedWeights().probability(decisionValues(t)), 0.5);
 }
 
-TEST_P(OnGolden, says_which_edge_points_and_cells_it_takes) {
+TEST_P(OnGolden, SaysWhichEdgePointsAndCellsItTakes) {
   const Picture picture = shippedPicture(std::string("golden/") + GetParam());
   const SearchImage image = looked(picture.grey, picture.camera);
   const SearchModel model(shippedModels().objects.at(size_t(shippedModels().indexOf(GetParam()))));
@@ -124,7 +124,7 @@ class Bars : public testing::Test {
   SearchModel model_;
 };
 
-TEST_F(Bars, edges_that_run_on_contradict_the_short_box) {
+TEST_F(Bars, EdgesThatRunOnContradictTheShortBox) {
   const EvidenceTerms right = lookAtBar(0.08).terms, wrong = lookAtBar(0.16).terms;
   EXPECT_GT(right.hit_ratio, 0.9);
   EXPECT_LT(right.continuation, 0.05);
@@ -136,7 +136,7 @@ TEST_F(Bars, edges_that_run_on_contradict_the_short_box) {
             fittedWeights().probability(decisionValues(right)));
 }
 
-TEST_F(Bars, patterned_faces_carry_edges_that_the_model_does_not_explain) {
+TEST_F(Bars, PatternedFacesCarryEdgesThatTheModelDoesNotExplain) {
   Material pattern;
   pattern.texture = {Texture::Kind::kChecker, 0.008, 0.6, 1};
   const EvidenceTerms plain = lookAtBar(0.08).terms, patterned = lookAtBar(0.08, pattern).terms;
@@ -149,7 +149,7 @@ TEST_F(Bars, patterned_faces_carry_edges_that_the_model_does_not_explain) {
   EXPECT_GT(plain.solidity, 0.9) << "a box fills its hull";
 }
 
-TEST_F(Bars, terms_have_the_names_of_the_evidence) {
+TEST_F(Bars, TermsHaveTheNamesOfTheEvidence) {
   const EvidenceTerms terms = lookAtBar(0.08).terms;
   const auto named = terms.named();
   EXPECT_EQ(named.at("sum"), terms.sum);
@@ -160,7 +160,7 @@ TEST_F(Bars, terms_have_the_names_of_the_evidence) {
   for (const auto& [name, value] : named) EXPECT_TRUE(std::isfinite(value)) << name;
 }
 
-TEST_F(Bars, the_constellation_pairs_each_visible_corner_with_its_image) {
+TEST_F(Bars, TheConstellationPairsEachVisibleCornerWithItsImage) {
   const Scene seen = scene(0.08, {});
   const SearchImage image = looked(renderScene(seen, testCamera()).grey, testCamera());
   const Rigid3 truth = seen.world_from_camera.inverse();
@@ -207,7 +207,7 @@ Grouping junction(const Eigen::Vector2d& corner, double sigma, int first, int se
   return g;
 }
 
-TEST(ImageCorners, near_ones_are_one_with_all_segments_and_the_most_certain_place) {
+TEST(ImageCorners, NearOnesAreOneWithAllSegmentsAndTheMostCertainPlace) {
   const std::vector<ImageCorner> corners =
       imageCorners({junction({100, 100}, 1.2, 0, 1), junction({100.6, 100.3}, 0.4, 1, 2),
                     junction({110, 100}, 0.5, 3, 4)});

@@ -19,14 +19,14 @@ std::vector<long long> dealtOut(WorkBudget* budget, int takers) {
   return taken;
 }
 
-TEST(WorkBudget, every_taker_gets_an_equal_share) {
+TEST(WorkBudget, EveryTakerGetsAnEqualShare) {
   WorkBudget budget(100);
   EXPECT_EQ(dealtOut(&budget, 4), (std::vector<long long>{25, 25, 25, 25}));
   EXPECT_TRUE(budget.cutByWork());
   EXPECT_FALSE(budget.cutByTime());
 }
 
-TEST(WorkBudget, what_one_leaves_over_goes_to_those_after_it) {
+TEST(WorkBudget, WhatOneLeavesOverGoesToThoseAfterIt) {
   WorkBudget budget(90);
   WorkBudget first = budget.part(3);
   first.count(10);  // of 30
@@ -34,7 +34,7 @@ TEST(WorkBudget, what_one_leaves_over_goes_to_those_after_it) {
   EXPECT_EQ(dealtOut(&budget, 2), (std::vector<long long>{40, 40}));
 }
 
-TEST(WorkBudget, a_taker_that_overdraws_leaves_less_but_nothing_below_zero) {
+TEST(WorkBudget, ATakerThatOverdrawsLeavesLessButNothingBelowZero) {
   WorkBudget budget(20);
   WorkBudget first = budget.part(2);
   first.count(35);
@@ -43,14 +43,14 @@ TEST(WorkBudget, a_taker_that_overdraws_leaves_less_but_nothing_below_zero) {
   EXPECT_EQ(dealtOut(&budget, 2), (std::vector<long long>{0, 0}));
 }
 
-TEST(WorkBudget, nothing_is_cut_when_all_work_was_done) {
+TEST(WorkBudget, NothingIsCutWhenAllWorkWasDone) {
   WorkBudget budget(10);
   while (budget.scored() < 9 && !budget.spent()) budget.count();
   EXPECT_EQ(budget.scored(), 9);
   EXPECT_FALSE(budget.cutByWork());
 }
 
-TEST(WorkBudget, without_limits_nothing_is_ever_spent) {
+TEST(WorkBudget, WithoutLimitsNothingIsEverSpent) {
   WorkBudget budget;
   for (int i = 0; i < 100000; ++i) {
     budget.count(1000);
@@ -67,7 +67,7 @@ WorkBudget donePiece(const WorkBudget& budget, long long most) {
   return piece;
 }
 
-TEST(WorkBudget, a_piece_ends_at_its_size_which_cuts_nothing_of_the_whole) {
+TEST(WorkBudget, APieceEndsAtItsSizeWhichCutsNothingOfTheWhole) {
   for (WorkBudget budget : {WorkBudget(), WorkBudget(100)}) {
     budget.addPiece(donePiece(budget, 30));
     EXPECT_EQ(budget.scored(), 30);
@@ -75,7 +75,7 @@ TEST(WorkBudget, a_piece_ends_at_its_size_which_cuts_nothing_of_the_whole) {
   }
 }
 
-TEST(WorkBudget, a_piece_larger_than_what_is_left_is_cut_by_the_whole) {
+TEST(WorkBudget, APieceLargerThanWhatIsLeftIsCutByTheWhole) {
   WorkBudget budget(100);
   budget.count(80);
   budget.addPiece(donePiece(budget, 30));
@@ -83,7 +83,7 @@ TEST(WorkBudget, a_piece_larger_than_what_is_left_is_cut_by_the_whole) {
   EXPECT_TRUE(budget.cutByWork());
 }
 
-TEST(WorkBudget, time_that_is_over_stops_what_is_not_counted_too) {
+TEST(WorkBudget, TimeThatIsOverStopsWhatIsNotCountedToo) {
   WorkBudget budget(0, 1e-9);
   EXPECT_TRUE(budget.outOfTime());
   EXPECT_TRUE(budget.spent());

@@ -14,6 +14,7 @@
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/simulation/truth.h"
 #include "recognition/reporting.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand {
 
@@ -117,14 +118,6 @@ inline SceneObject standing(const std::string& name, const Mesh& mesh,
   return object;
 }
 
-inline Camera testCamera() {
-  Camera camera;
-  camera.width = 640;
-  camera.height = 480;
-  camera.fx = camera.fy = 700;
-  camera.cx = 319.5;
-  camera.cy = 239.5;
-  return camera;
-}
+inline Camera testCamera() { return centredCamera(640, 480, 700); }
 
 }  // namespace monocular_eye_hand

@@ -10,6 +10,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/build_model.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -112,8 +113,7 @@ class EvaluationPages : public testing::Test {
             load_};
   }
   static CameraImage image() {
-    return {cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)),
-            {640, 480, 700, 700, 319.5, 239.5, DistortionModel::kNone, {}}};
+    return {cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)), centredCamera(640, 480, 700)};
   }
   // Every file that the page names exists and lies beside it.
   std::vector<std::string> pictures(const std::string& html) const {
@@ -136,7 +136,7 @@ class EvaluationPages : public testing::Test {
   std::function<CameraImage(const BopImage&)> load_ = [](const BopImage&) { return image(); };
 };
 
-TEST_F(EvaluationPages, the_report_is_well_formed_and_shows_everything) {
+TEST_F(EvaluationPages, TheReportIsWellFormedAndShowsEverything) {
   const std::string html = readFile(writeEvaluationPage(folder_, run()));
   EXPECT_EQ(nestingFault(html), "");
   EXPECT_THAT(pictures(html), testing::ElementsAre("missed_0.jpg", "wrong_0.jpg"));
@@ -148,7 +148,7 @@ TEST_F(EvaluationPages, the_report_is_well_formed_and_shows_everything) {
   EXPECT_EQ(picture.size(), cv::Size(960, 360));
 }
 
-TEST_F(EvaluationPages, every_text_is_escaped_and_nothing_is_fetched) {
+TEST_F(EvaluationPages, EveryTextIsEscapedAndNothingIsFetched) {
   std::optional<OtherRun> other = OtherRun{"<i>other</i>.csv", judgeRun(split_, models_, {}), {}};
   writeMissesPage(folder_ + "/misses", run());
   for (const std::string& path :
@@ -163,7 +163,7 @@ TEST_F(EvaluationPages, every_text_is_escaped_and_nothing_is_fetched) {
   }
 }
 
-TEST_F(EvaluationPages, a_comparison_lists_what_changed) {
+TEST_F(EvaluationPages, AComparisonListsWhatChanged) {
   std::optional<OtherRun> other =
       OtherRun{"other.csv", judgeRun(split_, models_, {{1, 1, 4, 0.9, pose(0), 0.5}}), {}};
   const std::string html = readFile(writeEvaluationPage(folder_, run(), other));
@@ -173,7 +173,7 @@ TEST_F(EvaluationPages, a_comparison_lists_what_changed) {
   EXPECT_THAT(html, HasSubstr("<td>1.000</td>")) << "one each: no difference";
 }
 
-TEST_F(EvaluationPages, the_misses_begin_with_the_causes) {
+TEST_F(EvaluationPages, TheMissesBeginWithTheCauses) {
   const std::string html = readFile(writeMissesPage(folder_, run()));
   EXPECT_EQ(nestingFault(html), "");
   EXPECT_THAT(html, HasSubstr("<td>1</td><td>100 %</td><td>rejected: edges &lt;run&gt; on</td>"));
@@ -181,7 +181,7 @@ TEST_F(EvaluationPages, the_misses_begin_with_the_causes) {
   EXPECT_EQ(pictures(html).size(), 2u);
 }
 
-TEST_F(EvaluationPages, a_missed_object_says_how_near_the_search_came) {
+TEST_F(EvaluationPages, AMissedObjectSaysHowNearTheSearchCame) {
   judged_.clear();
   TracedTruth traced;
   traced.scene = 1;
@@ -199,7 +199,7 @@ TEST_F(EvaluationPages, a_missed_object_says_how_near_the_search_came) {
                         "verified none, recorded none."));
 }
 
-TEST_F(EvaluationPages, an_object_beyond_a_limit_is_told_as_such) {
+TEST_F(EvaluationPages, AnObjectBeyondALimitIsToldAsSuch) {
   EvaluatedRun limited = run();
   limited.limits.min_distance = 0.6;
   EXPECT_THAT(readFile(writeMissesPage(folder_, limited)),
@@ -211,7 +211,7 @@ TEST_F(EvaluationPages, an_object_beyond_a_limit_is_told_as_such) {
   EXPECT_THAT(readFile(writeMissesPage(folder_, half)), HasSubstr("less in the frame than min_in_frame"));
 }
 
-TEST_F(EvaluationPages, a_missing_picture_is_told) {
+TEST_F(EvaluationPages, AMissingPictureIsTold) {
   load_ = [](const BopImage& image) -> CameraImage {
     throw BadInput("image " + std::to_string(image.id) + ": no image file");
   };
@@ -221,7 +221,7 @@ TEST_F(EvaluationPages, a_missing_picture_is_told) {
   EXPECT_TRUE(pictures(html).empty());
 }
 
-TEST_F(EvaluationPages, the_number_of_pictures_is_limited) {
+TEST_F(EvaluationPages, TheNumberOfPicturesIsLimited) {
   EvaluationPageOptions options;
   options.cases = 0;
   const std::string html = readFile(writeEvaluationPage(folder_, run(), {}, options));
@@ -233,7 +233,7 @@ TEST_F(EvaluationPages, the_number_of_pictures_is_limited) {
   EXPECT_THROW(writeMissesPage("/proc/not_writable", run()), BadInput);
 }
 
-TEST_F(EvaluationPages, a_run_that_found_nothing) {
+TEST_F(EvaluationPages, ARunThatFoundNothing) {
   results_.clear();
   judged_.clear();
   const std::string html = readFile(writeEvaluationPage(folder_, run()));
@@ -242,7 +242,7 @@ TEST_F(EvaluationPages, a_run_that_found_nothing) {
   EXPECT_THAT(html, HasSubstr("No candidate of it was judged."));
 }
 
-TEST_F(EvaluationPages, through_a_lens_the_contours_lie_where_the_lens_shows_them) {
+TEST_F(EvaluationPages, ThroughALensTheContoursLieWhereTheLensShowsThem) {
   load_ = [](const BopImage&) {
     CameraImage seen = image();
     const double k[] = {-0.28, 0.08, 0, 0};

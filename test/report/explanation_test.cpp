@@ -14,6 +14,7 @@
 #include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/report/result_drawing.h"
 #include "report/html.h"
+#include "support/camera.h"
 
 using namespace monocular_eye_hand;
 namespace fs = std::filesystem;
@@ -22,7 +23,7 @@ using testing::Not;
 
 namespace {
 
-Camera camera() { return {640, 480, 700, 700, 319.5, 239.5, DistortionModel::kNone, {}}; }
+Camera camera() { return centredCamera(640, 480, 700); }
 cv::Mat greyImage() { return cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)); }
 
 ModelBase boxBase(const std::string& name) {

@@ -90,7 +90,8 @@ inline int countOf(const WorkCell& cell, CellEvent::Kind kind) {
 inline std::string eventsOf(const WorkCell& cell) {
   std::string out;
   for (const CellEvent& e : cell.events())
-    out += std::to_string(e.time) + " " + name(e.kind) + " " + e.first + " " + e.second + " " + e.text + "\n";
+    out += std::to_string(e.time) + " " + toString(e.kind) + " " + e.first + " " + e.second + " " + e.text +
+           "\n";
   return out;
 }
 

@@ -9,12 +9,13 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/simulation/random_picture.h"
 #include "monocular_eye_hand/simulation/render.h"
+#include "support/camera.h"
 
 using namespace monocular_eye_hand;
 
 namespace {
 
-Camera pinhole() { return {320, 240, 350, 350, 159.5, 119.5, DistortionModel::kNone, {}}; }
+Camera pinhole() { return centredCamera(320, 240, 350); }
 
 RenderOptions noiseless() {
   RenderOptions options;

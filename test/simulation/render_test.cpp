@@ -1,24 +1,22 @@
 #include "monocular_eye_hand/simulation/render.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "support/camera.h"
+#include "support/refusal.h"
 
 using namespace monocular_eye_hand;
 
 namespace {
 
-Camera pinhole() { return {320, 240, 350, 350, 159.5, 119.5, DistortionModel::kNone, {}}; }
+Camera pinhole() { return centredCamera(320, 240, 350); }
 
-Camera distorted() {
-  Camera camera = pinhole();
-  camera.model = DistortionModel::kPlumbBob;
-  camera.d = {-0.28, 0.08, 0.001, -0.0005, 0};
-  return camera;
-}
+Camera distorted() { return withWebcamLens(pinhole()); }
 
 // A bright sheet above a dark table: edges whose place is known, without shading of their own.
 Scene sheetScene() {
@@ -280,12 +278,7 @@ TEST(Render, BadInputIsNamed) {
   RenderOptions options;
   options.samples = 0;
   EXPECT_THROW(renderScene(scene, pinhole(), options), BadInput);
-  try {
-    options.check();
-    FAIL();
-  } catch (const BadInput& e) {
-    EXPECT_NE(std::string(e.what()).find("samples = 0"), std::string::npos);
-  }
+  EXPECT_THAT(refusal([&] { options.check(); }), testing::HasSubstr("samples = 0"));
   Camera camera = pinhole();
   camera.fx = 0;
   EXPECT_THROW(renderScene(scene, camera), BadInput);

@@ -7,6 +7,7 @@
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -51,7 +52,7 @@ TaskView search(int direction) {
   return view;
 }
 
-TEST_F(CameraViews, look_at_the_target_from_within_reach) {
+TEST_F(CameraViews, LookAtTheTargetFromWithinReach) {
   const CameraViewOptions options;
   for (const TaskView& view : {overview(0), overview(1), overview(2), search(0), search(1), search(2),
                                nearLook(0), nearLook(1), nearLook(3)}) {
@@ -71,7 +72,7 @@ TEST_F(CameraViews, look_at_the_target_from_within_reach) {
   }
 }
 
-TEST_F(CameraViews, successive_views_cross) {
+TEST_F(CameraViews, SuccessiveViewsCross) {
   for (const auto& [a, b] : {std::pair{overview(0), overview(1)}, std::pair{search(1), search(2)},
                              std::pair{nearLook(0), nearLook(1)}}) {
     const Eigen::Vector3d from_a = (views(a)[0].translation - kTarget).normalized();
@@ -80,7 +81,7 @@ TEST_F(CameraViews, successive_views_cross) {
   }
 }
 
-TEST_F(CameraViews, every_near_look_is_nearer_until_the_nearest) {
+TEST_F(CameraViews, EveryNearLookIsNearerUntilTheNearest) {
   const CameraViewOptions options;
   double before = 1e9;
   for (int approach : {0, 1}) {
@@ -91,14 +92,14 @@ TEST_F(CameraViews, every_near_look_is_nearer_until_the_nearest) {
   EXPECT_NEAR((views(nearLook(9))[0].translation - kTarget).norm(), options.nearest, 1e-9);
 }
 
-TEST_F(CameraViews, a_search_is_nearer_and_lower_than_an_overview) {
+TEST_F(CameraViews, ASearchIsNearerAndLowerThanAnOverview) {
   const Eigen::Vector3d far = views(overview(1))[0].translation - kTarget,
                         near = views(search(1))[0].translation - kTarget;
   EXPECT_LT(near.norm(), far.norm());
   EXPECT_LT(near.normalized().z(), far.normalized().z());
 }
 
-TEST_F(CameraViews, the_same_question_has_the_same_answer) {
+TEST_F(CameraViews, TheSameQuestionHasTheSameAnswer) {
   const std::vector<Rigid3> once = views(overview(1)), again = views(overview(1));
   ASSERT_EQ(once.size(), again.size());
   for (size_t i = 0; i < once.size(); ++i) {
@@ -107,26 +108,21 @@ TEST_F(CameraViews, the_same_question_has_the_same_answer) {
   }
 }
 
-TEST_F(CameraViews, out_of_reach_there_is_none) { EXPECT_TRUE(views(overview(0), {3, 0, 0.3}).empty()); }
+TEST_F(CameraViews, OutOfReachThereIsNone) { EXPECT_TRUE(views(overview(0), {3, 0, 0.3}).empty()); }
 
-TEST_F(CameraViews, what_is_wrong_is_named) {
-  const auto refusal = [&](const CameraViewOptions& options) -> std::string {
-    try {
-      views(overview(0), kTarget, options);
-    } catch (const BadInput& e) {
-      return e.what();
-    }
-    return "accepted";
+TEST_F(CameraViews, WhatIsWrongIsNamed) {
+  const auto refusalOf = [&](const CameraViewOptions& options) {
+    return refusal([&] { views(overview(0), kTarget, options); });
   };
   CameraViewOptions options;
   options.nearest = 0.5;
-  EXPECT_THAT(refusal(options), testing::HasSubstr("nearest"));
+  EXPECT_THAT(refusalOf(options), testing::HasSubstr("nearest"));
   options = {};
   options.overview_elevation = 2;
-  EXPECT_THAT(refusal(options), testing::HasSubstr("overview_elevation"));
+  EXPECT_THAT(refusalOf(options), testing::HasSubstr("overview_elevation"));
   options = {};
   options.most = 0;
-  EXPECT_THAT(refusal(options), testing::HasSubstr("most"));
+  EXPECT_THAT(refusalOf(options), testing::HasSubstr("most"));
   EXPECT_THROW(views(overview(0), {NAN, 0, 0}), BadInput);
 }
 

@@ -6,6 +6,7 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/options/options.h"
 #include "scripted_world.h"
+#include "support/refusal.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -52,7 +53,7 @@ TEST(ClearFrame, CarriesEverythingOut) {
   };
   for (const TaskStage stage : {TaskStage::kLook, TaskStage::kChoose, TaskStage::kConfirm, TaskStage::kPick,
                                 TaskStage::kVerify, TaskStage::kCarry})
-    EXPECT_GE(about(stage), 3) << name(stage);
+    EXPECT_GE(about(stage), 3) << toString(stage);
   EXPECT_FALSE(task.step());
 }
 
@@ -262,12 +263,8 @@ TEST(ClearFrame, BadInputIsNamed) {
   World world;
   ClearFrameOptions options;
   options.frame = "tray";
-  try {
-    ClearFrameTask(&kModels, &world, options);
-    ADD_FAILURE();
-  } catch (const BadInput& e) {
-    EXPECT_THAT(e.what(), HasSubstr("frame = \"tray\" is not in the model base (bridge, grenade, frame)"));
-  }
+  EXPECT_THAT(refusal([&] { ClearFrameTask(&kModels, &world, options); }),
+              HasSubstr("frame = \"tray\" is not in the model base (bridge, grenade, frame)"));
   EXPECT_THROW(readOptions(parseYaml("overviews: 0"), &options), BadInput);
   EXPECT_THROW(readOptions(parseYaml("frame_margin: -1"), &options), BadInput);
   EXPECT_THROW(readOptions(parseYaml("look_attempt: 2"), &options), BadInput);

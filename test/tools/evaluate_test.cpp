@@ -50,7 +50,7 @@ class Evaluate : public ToolWorld {
   }
 };
 
-TEST_F(Evaluate, results_times_and_the_scores_of_what_it_wrote) {
+TEST_F(Evaluate, ResultsTimesAndTheScoresOfWhatItWrote) {
   const ProgramResult result = evaluate("");
   ASSERT_EQ(result.code, 0) << result.err;
   const auto rows = readBopResults(path("r.csv"));
@@ -71,7 +71,7 @@ TEST_F(Evaluate, results_times_and_the_scores_of_what_it_wrote) {
   EXPECT_THAT(result.err, HasSubstr("[3/3] scene 4 image 0"));
 }
 
-TEST_F(Evaluate, all_adds_the_rejected_and_dump_tells_of_every_candidate) {
+TEST_F(Evaluate, AllAddsTheRejectedAndDumpTellsOfEveryCandidate) {
   ASSERT_EQ(evaluate("--scenes 1 --images 0").code, 0);
   const size_t published = readBopResults(path("r.csv")).size();
   ASSERT_EQ(evaluate("--scenes 1 --images 0 --all --dump d.csv").code, 0);
@@ -98,7 +98,7 @@ TEST_F(Evaluate, all_adds_the_rejected_and_dump_tells_of_every_candidate) {
   EXPECT_TRUE(near) << readText(path("d.csv"));
 }
 
-TEST_F(Evaluate, restricted_to_scenes_images_and_targets) {
+TEST_F(Evaluate, RestrictedToScenesImagesAndTargets) {
   EXPECT_THAT(evaluate("--scenes 4").out, AllOf(HasSubstr("scene 4:"), testing::Not(HasSubstr("scene 1:"))));
   EXPECT_EQ(readImageTimes(path("r.times.csv")).size(), 1u);
   write("set/t.json", R"([{"scene_id": 1, "im_id": 1, "obj_id": 1, "inst_count": 1}])");
@@ -106,14 +106,14 @@ TEST_F(Evaluate, restricted_to_scenes_images_and_targets) {
   EXPECT_EQ(readImageTimes(path("r.times.csv")).size(), 1u);
 }
 
-TEST_F(Evaluate, through_a_lens_and_enlarged_the_poses_stay) {
+TEST_F(Evaluate, ThroughALensAndEnlargedThePosesStay) {
   const ProgramResult result =
       evaluate("--scenes 1 --images 0 --warp -0.28,0.08,0.001,-0.0005,0 --scale 1.5");
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("found 1.000 (1/1)"));
 }
 
-TEST_F(Evaluate, report_comparison_and_misses_are_pages) {
+TEST_F(Evaluate, ReportComparisonAndMissesArePages) {
   write("other.csv", "scene_id,im_id,obj_id,score,R,t,time\n");
   const ProgramResult result =
       evaluate("--scenes 1,4 --images 0 --report pages --compare other.csv --misses why --cases 3");
@@ -127,7 +127,7 @@ TEST_F(Evaluate, report_comparison_and_misses_are_pages) {
   EXPECT_THAT(misses, HasSubstr("0 wanted instances"));
 }
 
-TEST_F(Evaluate, misses_say_how_near_the_search_came_unless_poses_were_given) {
+TEST_F(Evaluate, MissesSayHowNearTheSearchCameUnlessPosesWereGiven) {
   const std::string strict = "--scenes 1 --images 0 --misses why --set accept_probability=0.999999 ";
   ASSERT_EQ(evaluate(strict + "--dump d.csv").code, 0);
   EXPECT_THAT(readText(path("why/index.html")), HasSubstr("In the search: groupings of its own "));
@@ -136,7 +136,7 @@ TEST_F(Evaluate, misses_say_how_near_the_search_came_unless_poses_were_given) {
               AllOf(HasSubstr("rejected"), testing::Not(HasSubstr("In the search"))));
 }
 
-TEST_F(Evaluate, bad_input_is_told_before_the_work) {
+TEST_F(Evaluate, BadInputIsToldBeforeTheWork) {
   const auto refusal = [&](const std::string& arguments) {
     const ProgramResult result = run(EVALUATE_PROGRAM, arguments);
     EXPECT_EQ(result.code, 1) << arguments;

@@ -75,7 +75,7 @@ class FitDecision : public ToolWorld {
   }
 };
 
-TEST_F(FitDecision, finds_the_law_that_made_the_candidates) {
+TEST_F(FitDecision, FindsTheLawThatMadeTheCandidates) {
   write("d.csv", dump(3000));
   const DecisionWeights weights = fitted("d.csv");
   EXPECT_EQ(weights.source, "a test");
@@ -90,7 +90,7 @@ TEST_F(FitDecision, finds_the_law_that_made_the_candidates) {
   }
 }
 
-TEST_F(FitDecision, finds_what_decides_contests_and_keeps_the_other_weights) {
+TEST_F(FitDecision, FindsWhatDecidesContestsAndKeepsTheOtherWeights) {
   write("d.csv", dump(1000));
   const DecisionWeights first = fitted("d.csv");
   EXPECT_EQ(first.contest.log_odds, 1) << "no contests: each one's own evidence";
@@ -107,7 +107,7 @@ TEST_F(FitDecision, finds_what_decides_contests_and_keeps_the_other_weights) {
     EXPECT_EQ(first.terms[k].weight, second.terms[k].weight) << decisionTerms()[k].name;
 }
 
-TEST_F(FitDecision, tells_how_well_it_does_on_parts_left_out) {
+TEST_F(FitDecision, TellsHowWellItDoesOnPartsLeftOut) {
   write("d.csv", dump(1000));
   const ProgramResult result = run(FIT_DECISION_PROGRAM, "--out w.yaml d.csv");
   ASSERT_EQ(result.code, 0) << result.err;
@@ -115,7 +115,7 @@ TEST_F(FitDecision, tells_how_well_it_does_on_parts_left_out) {
                                 HasSubstr("expected calibration error 0.0"), HasSubstr("outline_hits")));
 }
 
-TEST_F(FitDecision, refuses_what_is_no_dump_or_has_nothing_to_learn_from) {
+TEST_F(FitDecision, RefusesWhatIsNoDumpOrHasNothingToLearnFrom) {
   write("none.csv", "scene_id,im_id\n1,2\n");
   write("wrong.csv", dump(50, false));
   write("short.csv", dump(2) + "1,2,3\n");

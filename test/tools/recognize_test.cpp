@@ -30,7 +30,7 @@ double poseError(const nlohmann::json& pose, const Rigid3& truth) {
   return angle + (Eigen::Vector3d(t.at(0), t.at(1), t.at(2)) - truth.translation).norm();
 }
 
-TEST_F(Recognize, pose_in_table_json_and_pictures) {
+TEST_F(Recognize, PoseInTableJsonAndPictures) {
   const Rigid3 truth = renderBridge("scene.png", 0.6);
   const ProgramResult result = recognize("--json r.json --overlay o.png --explain page scene.png");
   EXPECT_EQ(result.code, 0) << result.err;
@@ -56,7 +56,7 @@ TEST_F(Recognize, pose_in_table_json_and_pictures) {
   EXPECT_THAT(readText(path("page/index.html")), HasSubstr("scene.png"));
 }
 
-TEST_F(Recognize, nothing_found_is_no_failure_and_has_a_reason) {
+TEST_F(Recognize, NothingFoundIsNoFailureAndHasAReason) {
   save("blank.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(120)));
   const ProgramResult result = recognize("--json - blank.png");
   EXPECT_EQ(result.code, 0) << result.err;
@@ -66,7 +66,7 @@ TEST_F(Recognize, nothing_found_is_no_failure_and_has_a_reason) {
   EXPECT_THAT(recognize("blank.png").out, HasSubstr("nothing found: "));
 }
 
-TEST_F(Recognize, a_bad_image_is_named_and_the_others_are_processed) {
+TEST_F(Recognize, ABadImageIsNamedAndTheOthersAreProcessed) {
   renderBridge("in/img_2.png", 0.6);
   std::filesystem::copy_file(path("in/img_2.png"), path("in/img_10.png"));
   std::filesystem::resize_file(path("in/img_10.png"), 5000);
@@ -86,7 +86,7 @@ TEST_F(Recognize, a_bad_image_is_named_and_the_others_are_processed) {
   EXPECT_FALSE(std::filesystem::exists(path("o_img_10.png")));
 }
 
-TEST_F(Recognize, same_image_and_work_budget_same_answer) {
+TEST_F(Recognize, SameImageAndWorkBudgetSameAnswer) {
   renderBridge("scene.png", 1.1);
   const auto answer = [&](const std::string& arguments) {
     EXPECT_EQ(recognize(arguments + " --json r.json scene.png").code, 0);
@@ -96,7 +96,7 @@ TEST_F(Recognize, same_image_and_work_budget_same_answer) {
   EXPECT_EQ(answer("--only bridge"), answer("--only bridge"));
 }
 
-TEST_F(Recognize, bad_input_is_told) {
+TEST_F(Recognize, BadInputIsTold) {
   save("blank.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(120)));
   const auto refusal = [&](const std::string& arguments) {
     const ProgramResult result = run(RECOGNIZE_PROGRAM, arguments);
@@ -124,7 +124,7 @@ TEST_F(Recognize, bad_input_is_told) {
 }
 
 // The image behind a setting is an image, wherever both stand.
-TEST_F(Recognize, a_setting_takes_one_word) {
+TEST_F(Recognize, ASettingTakesOneWord) {
   save("blank.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(120)));
   save("other.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)));
   for (const char* arguments : {"--set budget=50 blank.png", "blank.png --set budget=50",
@@ -139,7 +139,7 @@ TEST_F(Recognize, a_setting_takes_one_word) {
   EXPECT_THAT(two.out, HasSubstr("other.png: "));
 }
 
-TEST_F(Recognize, results_go_into_new_folders) {
+TEST_F(Recognize, ResultsGoIntoNewFolders) {
   save("blank.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(120)));
   const ProgramResult result =
       recognize("--overlay page/overlay.png --explain page --json deep/er/r.json blank.png");
@@ -151,7 +151,7 @@ TEST_F(Recognize, results_go_into_new_folders) {
   EXPECT_THAT(none.err, HasSubstr("blank.png/overlay.png: "));
 }
 
-TEST_F(Recognize, shows_the_options_it_would_use) {
+TEST_F(Recognize, ShowsTheOptionsItWouldUse) {
   write("options.yaml", "recognition:\n  max_distance: 3.25\n");
   const ProgramResult result = run(
       RECOGNIZE_PROGRAM, "--options options.yaml --set grouping.max_per_kind=77 --budget 500 --show-options");
@@ -164,7 +164,7 @@ TEST_F(Recognize, shows_the_options_it_would_use) {
   EXPECT_EQ(run(RECOGNIZE_PROGRAM, "--options again.yaml --show-options").out, result.out);
 }
 
-TEST_F(Recognize, the_shipped_parameters_are_the_defaults) {
+TEST_F(Recognize, TheShippedParametersAreTheDefaults) {
   const std::string shipped = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/recognizer.yaml";
   const ProgramResult result = run(RECOGNIZE_PROGRAM, "--options '" + shipped + "' --show-options");
   EXPECT_EQ(result.code, 0) << result.err;

@@ -15,7 +15,7 @@ class RenderScene : public ToolWorld {
 };
 
 // Parts that are none of the package's: a base of two, and one of a single part under another name.
-TEST_F(RenderScene, shows_own_parts_without_an_option) {
+TEST_F(RenderScene, ShowsOwnPartsWithoutAnOption) {
   write("one.yaml", "objects: [{name: thing, mesh: " + std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) +
                         "/models/flange.ply, unit: mm}]\n");
   for (const std::string base : {"objects", "one"}) {
@@ -29,7 +29,7 @@ TEST_F(RenderScene, shows_own_parts_without_an_option) {
   }
 }
 
-TEST_F(RenderScene, the_packages_own_scenes_need_its_parts) {
+TEST_F(RenderScene, ThePackagesOwnScenesNeedItsParts) {
   for (const char* set : {"demo", "golden"}) {
     const ProgramResult result = render(std::string("--objects objects.yaml --out pictures --set ") + set);
     EXPECT_EQ(result.code, 1);

@@ -13,6 +13,7 @@
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "monocular_eye_hand/simulation/truth.h"
+#include "support/camera.h"
 
 namespace monocular_eye_hand {
 
@@ -40,11 +41,6 @@ class ToolWorld : public testing::Test {
     const std::string models = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/models/";
     write("objects.yaml", "objects:\n  - {name: bridge, mesh: " + models + "bridge.ply, unit: mm}\n" +
                               "  - {name: bracket, mesh: " + models + "bracket.ply, unit: mm}\n");
-    camera_.width = 640;
-    camera_.height = 480;
-    camera_.fx = camera_.fy = 700;
-    camera_.cx = 319.5;
-    camera_.cy = 239.5;
     writeCamera(path("camera.yaml"), camera_);
   }
   ~ToolWorld() override { std::filesystem::remove_all(folder_); }
@@ -88,7 +84,7 @@ class ToolWorld : public testing::Test {
   }
 
   std::filesystem::path folder_;
-  Camera camera_;
+  const Camera camera_ = centredCamera(640, 480, 700);
 };
 
 }  // namespace monocular_eye_hand

@@ -13,7 +13,7 @@ enum class ActionOutcome {
   kFault         ///< the arm, the gripper or the planner does not answer
 };
 /// "in collision" and so on, for messages.
-const char* name(ActionOutcome outcome);
+std::string toString(ActionOutcome outcome);
 
 struct ActionResult {
   ActionOutcome outcome = ActionOutcome::kFault;

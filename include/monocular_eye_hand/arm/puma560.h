@@ -67,7 +67,7 @@ struct Branch {
   bool operator!=(const Branch& o) const { return !(*this == o); }
 };
 /// "right-up-positive" and so on; used in messages.
-std::string name(const Branch& branch);
+std::string toString(const Branch& branch);
 /// The branch of that name. Throws BadInput naming the eight there are.
 Branch branchOf(const std::string& name);
 

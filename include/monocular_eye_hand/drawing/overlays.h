@@ -40,8 +40,8 @@ struct GroupingPicture {
 };
 /// One picture per kind that occurs, at most `most` groupings in each, best by weight.
 std::vector<GroupingPicture> groupingPictures(const cv::Mat& grey, const FeatureSet& features,
-                                              const std::vector<Grouping>& groupings, int most = 150);
-/// The seed's figure 10 (a): the fitted lines, coloured by the connected group that corners make of them;
+                                              const std::vector<Grouping>& groupings, int max_lines = 150);
+/// Figure 10 (a) of Wong et al.: the fitted lines, coloured by the connected group that corners make of them;
 /// grey where none does. Only groupings of at least `min_weight` connect: chance meetings in texture do not.
 cv::Mat lineGroupsPicture(const cv::Mat& grey, const FeatureSet& features,
                           const std::vector<Grouping>& groupings, double min_weight = 0.1);

@@ -37,7 +37,7 @@ enum class WrongCause {
   kOtherObject,  ///< on another object of the truth
   kClutter,      ///< on nothing that the truth knows
 };
-const char* name(WrongCause cause);
+std::string toString(WrongCause cause);
 
 struct WrongAccept {
   RowOutcome row;

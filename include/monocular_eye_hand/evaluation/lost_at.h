@@ -39,7 +39,7 @@ struct LostAt {
   std::string by;  ///< the terms that spoke against it, or who suppressed it
 };
 /// For people: "rejected".
-const char* name(LostAt::Stage stage);
+std::string toString(LostAt::Stage stage);
 
 /// Where the search lost an instance of which nothing right was judged: behind the last stage that had a pose
 /// near it. `size`: of its image [px of the data set].

@@ -57,7 +57,7 @@ enum class ViewOutcome {
   kOutlier,    ///< contradicts a known one: not used
   kRefused     ///< not used at all
 };
-const char* name(ViewOutcome outcome);
+std::string toString(ViewOutcome outcome);
 
 /// What became of one SeenObject.
 struct ViewDecision {

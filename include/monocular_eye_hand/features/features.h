@@ -77,7 +77,7 @@ class IndexRange {
   const int *begin_, *end_;
 };
 
-/// What the seed's figures 3 and 4 split an image into.
+/// What figures 3 and 4 of Wong et al. split an image into.
 struct FeatureSet {
   Camera camera;                  ///< of the image the features come from
   std::vector<EdgePoint> points;  ///< trace after trace

@@ -31,7 +31,7 @@ struct CellBox {
 /// Throws BadInput when a name stands twice, or is "table".
 void requireOwnNames(const std::vector<CellBox>& boxes);
 
-/// base_from_frame of a place and its turns about fixed axes, as a URDF spells them [m, rad].
+/// base_from_frame of a place and its rotations about fixed axes, as a URDF spells them [m, rad].
 Rigid3 poseOf(double x, double y, double z, double roll, double pitch, double yaw);
 
 }  // namespace monocular_eye_hand

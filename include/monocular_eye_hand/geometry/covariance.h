@@ -8,13 +8,13 @@ namespace monocular_eye_hand {
 
 /// How a small motion d of a_from_b moves a_from_c = a_from_b * b_from_c: d' = A d.
 /// `offset`: from b's origin to c's, in a's axes: a_from_b.rotation * b_from_c.translation.
-Matrix6d motionAtOffset(const Eigen::Vector3d& offset);
+Matrix6d adjointOfTranslation(const Eigen::Vector3d& offset);
 
-/// The same small motion in axes turned by `rotation` (a_from_b: from b's axes to a's): d' = A d.
-Matrix6d motionInAxes(const Eigen::Matrix3d& rotation);
+/// The same small motion in axes rotated by `rotation` (a_from_b: from b's axes to a's): d' = A d.
+Matrix6d adjointOfRotation(const Eigen::Matrix3d& rotation);
 
-/// A C A^T, symmetric to the last bit.
-Matrix6d carried(const Matrix6d& motion, const Matrix6d& covariance);
+/// The covariance of A d, A C A^T, symmetric to the last bit.
+Matrix6d propagate(const Matrix6d& jacobian, const Matrix6d& covariance);
 
 /// Throws BadInput, its message beginning with `what`, when the matrix is not finite, not symmetric (1e-6 of
 /// its largest entry) or has, scaled to a unit diagonal, an eigenvalue below -1e-6 of its largest.

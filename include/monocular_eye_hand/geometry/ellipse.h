@@ -3,7 +3,8 @@
 
 namespace monocular_eye_hand {
 
-/// Ellipse (seed, eq. 2) in pixels: semi-axes a >= b > 0, `angle` [rad] of the a axis from +u towards +v.
+/// Ellipse (Wong et al., eq. 2) in pixels: semi-axes a >= b > 0, `angle` [rad] of the a axis from +u towards
+/// +v.
 struct Ellipse {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double a = 0, b = 0, angle = 0;

@@ -9,7 +9,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 /// A rigid transform `a_from_b`: maps coordinates in frame b to coordinates in frame a. Products read right
 /// to left and equal neighbours cancel: `base_from_tool * tool_from_camera * camera_from_object` (tf's
-/// lookupTransform(target = a, source = b)). The seed's p_m = R p_c + T is `object_from_camera`.
+/// lookupTransform(target = a, source = b)). p_m = R p_c + T of Wong et al. is `object_from_camera`.
 struct Rigid3 {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< metres

@@ -72,7 +72,7 @@ enum class GraspRefusal {
   kUnreachable,  ///< no posture reaches all three poses within the joint limits
   kSingular,     ///< ... only through the wrist's singularity or with long joint ways
 };
-const char* name(GraspRefusal refusal);
+std::string toString(GraspRefusal refusal);
 
 /// One way to pick the object up.
 struct GraspCandidate {

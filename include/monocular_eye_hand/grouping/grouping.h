@@ -9,8 +9,8 @@
 
 namespace monocular_eye_hand {
 
-/// Kinds of feature groupings (seed 2.1). The points of an image grouping and of a model grouping of the same
-/// kind correspond in order, up to the permutations that the kind allows (listed here; see
+/// Kinds of feature groupings (Wong et al. 2.1). The points of an image grouping and of a model grouping of
+/// the same kind correspond in order, up to the permutations that the kind allows (listed here; see
 /// correspondences()).
 enum class GroupingKind {
   kEdge,      ///< one whole segment: points = its two ends (reversible)
@@ -25,7 +25,7 @@ enum class GroupingKind {
   kEllipseLine    ///< an ellipse and a segment near it: points = the segment's ends
 };
 constexpr int kGroupingKinds = 9;
-const char* name(GroupingKind kind);
+std::string toString(GroupingKind kind);
 
 /// What a triplet, chain or quad looks like. "Angular order" everywhere is growing atan2(v, u): clockwise on
 /// the screen, v points down.
@@ -39,7 +39,7 @@ enum class GroupingShape {
   kClosed,  ///< quad: four segments, four corners; segments[i] joins points[i] and points[i + 1]
   kOpen     ///< quad: three segments; the side from points[3] to points[0] is missing
 };
-const char* name(GroupingShape shape);
+std::string toString(GroupingShape shape);
 
 /// Ends with a standard deviation of this much or more [px] are cut off: by the image border, by something in
 /// front, or because the line goes on. They say where the line is, not where it ends.
@@ -54,7 +54,7 @@ struct Grouping {
   std::vector<Eigen::Vector2d> points;  ///< uv_rect, see GroupingKind
   std::vector<double> sigma;            ///< standard deviation of each point, mean over directions [px]
   double weight = 0;                    ///< probability that this is structure of one object, not an accident
-  std::vector<int> candidates;          ///< ModelBase::objects it can come from (seed, eq. 1: F_i => {obj_j})
+  std::vector<int> candidates;  ///< ModelBase::objects it can come from (Wong et al., eq. 1: F_i => {obj_j})
 };
 
 /// One way to lay an image grouping over a model grouping: image.points[i] is the image of
@@ -136,9 +136,9 @@ struct GroupingOptions {
   }
 };
 
-/// Groups the features. The union of all groupings covers every segment and ellipse (seed, eq. 1). Kinds
-/// follow each other in the order of GroupingKind, each best first. Throws BadInput when an option is out of
-/// range.
+/// Groups the features. The union of all groupings covers every segment and ellipse (Wong et al., eq. 1).
+/// Kinds follow each other in the order of GroupingKind, each best first. Throws BadInput when an option is
+/// out of range.
 std::vector<Grouping> groupFeatures(const FeatureSet& features, const ModelBase& models,
                                     const GroupingOptions& options = {});
 

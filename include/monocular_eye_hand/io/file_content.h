@@ -5,8 +5,8 @@
 namespace monocular_eye_hand {
 
 /// The bytes of a file; `kind` names it in messages ("a mesh file"). Throws BadInput when it is missing, a
-/// folder, empty, larger than `most_bytes` or not readable.
-std::string readFileBytes(const std::string& path, const std::string& kind, size_t most_bytes);
+/// folder, empty, larger than `max_bytes` or not readable.
+std::string readFileBytes(const std::string& path, const std::string& kind, size_t max_bytes);
 
 /// What the bytes really are, and what to do, when they are of a well-known kind that no reader of this
 /// package takes: "a Git LFS pointer, not the file itself: run `git lfs pull` ...". Empty when they are not.

@@ -17,11 +17,11 @@ struct SampledView {
 /// A class of neighbouring viewpoints with the same visible features (Chakravarty & Freeman 1982).
 struct CharacteristicView {
   std::vector<int> views;       ///< SampledViews merged in it
-  std::vector<int> groups;      ///< visible contour groups, ascending
-  std::vector<double> visible;  ///< per group: mean visible share of its length
-  /// Per group: the seed's pre-calculated weighting score, sums to 1 over the view. Proportional to
-  /// sqrt(l / L) (1 + ln(V / v)): l of the view's visible contour length L belongs to the group, and v of all
-  /// V views show it. A long feature weighs more, and so does one that few other views offer.
+  std::vector<int> features;    ///< visible contour features, ascending
+  std::vector<double> visible;  ///< per feature: mean visible share of its length
+  /// Per feature: the pre-calculated weighting score of Wong et al., sums to 1 over the view. Proportional to
+  /// sqrt(l / L) (1 + ln(V / v)): l of the view's visible contour length L belongs to the feature, and v of
+  /// all V views show it. A long feature weighs more, and so does one that few other views offer.
   std::vector<double> weight;
 };
 
@@ -50,12 +50,12 @@ struct ViewOptions {
 };
 
 /// Directions covering the view sphere modulo the symmetries, about `spacing` apart: every direction of the
-/// sphere is nearer than 0.75 spacing to a symmetric copy of one of them. For a discrete group they lie in
+/// sphere is nearer than 0.75 spacing to a symmetric copy of one of them. For a discrete feature they lie in
 /// the fundamental domain of directions whose dot product with a fixed generic vector no rotation of the
-/// group makes larger; for an axis on half a meridian (a quarter with a flip); for a sphere there is one.
+/// feature makes larger; for an axis on half a meridian (a quarter with a flip); for a sphere there is one.
 std::vector<Eigen::Vector3d> viewDirections(const Symmetries& symmetries, double spacing);
 /// The contour seen from every direction and distance, and its classes: neighbouring views (next directions
-/// at one distance, or one direction at next distances) that show the same groups are one class.
+/// at one distance, or one direction at next distances) that show the same features are one class.
 ViewSphere sampleViews(const ObjectModel& model, const ViewOptions& options);
 
 }  // namespace monocular_eye_hand

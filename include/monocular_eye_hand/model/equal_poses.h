@@ -4,9 +4,9 @@
 namespace monocular_eye_hand {
 
 /// Rotation about a point that need not be the origin: object_from_object.
-Rigid3 turnAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation);
+Rigid3 rotationAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& rotation);
 /// Rotation about a line that need not pass through the origin: object_from_object.
-Rigid3 turnAbout(const SymmetryAxis& axis, double angle);
+Rigid3 rotationAbout(const SymmetryAxis& axis, double angle);
 
 /// `pose` turned about the model's free axis (or a sphere's centre) so that its rotation is nearest to that
 /// of `wanted`; without such a freedom `pose` itself.

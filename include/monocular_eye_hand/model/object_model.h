@@ -85,7 +85,7 @@ struct Symmetries {
 struct ContourSample {
   Eigen::Vector3d p;        ///< object frame
   Eigen::Vector3d tangent;  ///< unit
-  int group = 0;            ///< feature it belongs to, see ObjectModel::groupCount()
+  int feature = 0;          ///< feature it belongs to, see ObjectModel::featureCount()
   bool silhouette = false;  ///< background (or another part of the object far behind) on one side
   int inner_side =
       0;  ///< silhouette: +1 / -1 when the object lies on the side of +/- (tangent x view ray); 0 else
@@ -112,11 +112,11 @@ struct ObjectModel {
   std::shared_ptr<const ContourIndex> contour_index;
 
   Eigen::Vector3d centre() const { return bounds.center(); }
-  /// Contour groups: edges first, then circles, then one silhouette group per curved surface.
-  int groupCount() const { return int(edges.size() + circles.size() + surfaces.size()); }
-  int groupOfEdge(int edge) const { return edge; }
-  int groupOfCircle(int circle) const { return int(edges.size()) + circle; }
-  int groupOfSilhouette(int surface) const { return int(edges.size() + circles.size()) + surface; }
+  /// Features of the contour: edges first, then circles, then one silhouette per curved surface.
+  int featureCount() const { return int(edges.size() + circles.size() + surfaces.size()); }
+  int featureOfEdge(int edge) const { return edge; }
+  int featureOfCircle(int circle) const { return int(edges.size()) + circle; }
+  int featureOfSilhouette(int surface) const { return int(edges.size() + circles.size()) + surface; }
 };
 
 }  // namespace monocular_eye_hand

@@ -45,7 +45,7 @@ struct MoveRequest {
 
 enum class MoveOutcome { kPlanned, kStartInCollision, kUnreachable, kGoalInCollision, kNoPath };
 /// "start in collision" and so on, for messages.
-std::string name(MoveOutcome outcome);
+std::string toString(MoveOutcome outcome);
 ActionOutcome outcomeOf(MoveOutcome outcome);
 
 struct MovePlan {

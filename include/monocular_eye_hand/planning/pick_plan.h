@@ -42,11 +42,11 @@ enum class PickOutcome {
   kNoPathToDrop,
 };
 /// "approach blocked" and so on, for messages.
-std::string name(PickOutcome outcome);
+std::string toString(PickOutcome outcome);
 ActionOutcome outcomeOf(PickOutcome outcome);
 
 enum class PickStage { kReach, kApproach, kLift, kCarry, kLower, kRetreat };
-std::string name(PickStage stage);
+std::string toString(PickStage stage);
 
 /// One motion. The gripper closes before kLift and opens before kRetreat.
 struct PickMotion {

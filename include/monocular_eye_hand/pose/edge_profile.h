@@ -5,8 +5,8 @@ namespace monocular_eye_hand {
 
 /// How an edge point appearances that answers a contour sample.
 struct EdgeAppearance {
-  double blur = 0;  ///< standard deviation of the edge's profile [px]
-  double turn = 0;  ///< angle between the edge and the contour [rad], any sign
+  double blur = 0;   ///< standard deviation of the edge's profile [px]
+  double angle = 0;  ///< angle between the edge and the contour [rad], any sign
 };
 
 /// Tells clean steps of brightness from edges whose place is doubtful. All clean steps of a picture share the

@@ -26,10 +26,10 @@ double lineResidual(const Rigid3& camera_from_object, const Camera& camera, cons
 Eigen::Vector2d pointResidual(const Rigid3& camera_from_object, const Camera& camera, const PointMatch& match,
                               Eigen::Matrix<double, 2, 6>* derivative = nullptr);
 
-/// Seed 2.4: of all matched points, the four with the least uncertainty and the widest spread: those whose
-/// pose has the smallest covariance (determinant), a point's variance being sigma^2 + its squared residual
-/// under `start`. Indices into `points`, ascending; empty when fewer than four are usable or no four fix a
-/// pose.
+/// Wong et al. 2.4: of all matched points, the four with the least uncertainty and the widest spread: those
+/// whose pose has the smallest covariance (determinant), a point's variance being sigma^2 + its squared
+/// residual under `start`. Indices into `points`, ascending; empty when fewer than four are usable or no four
+/// fix a pose.
 std::vector<int> bestFour(const std::vector<PointMatch>& points, const Rigid3& start, const Camera& camera);
 
 /// The pose re-calculated from the best four: the perspective tetrahedron of each three of them with the

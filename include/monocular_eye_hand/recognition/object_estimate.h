@@ -18,7 +18,7 @@
 namespace monocular_eye_hand {
 
 enum class Decision { kAccepted, kRejected, kAmbiguous };
-const char* name(Decision decision);
+std::string toString(Decision decision);
 
 /// Another pose (or object) that explains the same part of the image nearly as well.
 struct Alternative {
@@ -54,7 +54,7 @@ struct ObjectEstimate {
 /// What became of a candidate: chosen and then accepted, ambiguous or rejected, or suppressed by a chosen one
 /// that explains the same part of the image better.
 enum class Fate { kAccepted, kAmbiguous, kRejected, kSuppressed };
-const char* name(Fate fate);
+std::string toString(Fate fate);
 
 /// A candidate that was verified and had evidence, and why it won or lost. The choice can be made again with
 /// other probabilities: go through the candidates by descending rank score (equal ones in the order of the
@@ -62,11 +62,11 @@ const char* name(Fate fate);
 struct JudgedCandidate {
   int object = -1;  ///< ModelBase::objects
   std::string name;
-  std::string kind;               ///< of the grouping that its hypothesis came from, as name(GroupingKind)
-  Rigid3 camera_from_object;      ///< of a chosen one as reported, of a suppressed one as verified
-  double plausibility = 0;        ///< as ObjectEstimate's
-  double reliability = 0;         ///< as ObjectEstimate's
-  double probability = 0;         ///< calibrated probability that object and pose are right
+  std::string kind;           ///< of the grouping that its hypothesis came from, as toString(GroupingKind)
+  Rigid3 camera_from_object;  ///< of a chosen one as reported, of a suppressed one as verified
+  double plausibility = 0;    ///< as ObjectEstimate's
+  double reliability = 0;     ///< as ObjectEstimate's
+  double probability = 0;     ///< calibrated probability that object and pose are right
   std::string strongest_against;  ///< what DecisionTerm::words says of the term most against it; "": none is
   std::map<std::string, double> evidence;  ///< the terms of the decision by name
   /// Order of choice: sum^(1/2) * (probability / winners_share + 0.05), `sum` of the terms in `evidence`.

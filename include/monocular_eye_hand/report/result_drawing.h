@@ -20,8 +20,8 @@ std::string objectLabel(const ObjectEstimate& object);
 /// `models`.
 cv::Mat drawResult(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
                    const RecognitionResult& result, bool with_rejected = false, const PictureSize& size = {});
-/// One picture per accepted or ambiguous object, in the order of RecognitionResult::objects (seed, figure
-/// 11).
+/// One picture per accepted or ambiguous object, in the order of RecognitionResult::objects (figure 11
+/// of Wong et al.).
 std::vector<cv::Mat> drawBackProjections(const cv::Mat& grey, const Camera& camera, const ModelBase& models,
                                          const RecognitionResult& result);
 /// One candidate alone over the image.

@@ -27,7 +27,7 @@ struct CellEvent {
   std::string first, second;  ///< link, joint, "table", "floor" or an object's label
   std::string text;
 };
-const char* name(CellEvent::Kind kind);
+std::string toString(CellEvent::Kind kind);
 /// "12.300 s: rested: bridge_0 on table".
 std::string textOf(const CellEvent& event);
 

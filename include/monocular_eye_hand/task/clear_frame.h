@@ -53,7 +53,7 @@ struct ClearFrameOptions {
 };
 
 enum class TaskStage { kLook, kChoose, kConfirm, kPick, kVerify, kCarry, kDone };
-const char* name(TaskStage stage);
+std::string toString(TaskStage stage);
 
 enum class TaskOutcome {
   kCleared,    ///< nothing known is left in the frame; what one view alone showed is told as a doubt
@@ -62,7 +62,7 @@ enum class TaskOutcome {
   kCancelled,
   kFault  ///< camera, recognition, eye-hand, planner or gripper does not answer
 };
-const char* name(TaskOutcome outcome);
+std::string toString(TaskOutcome outcome);
 
 enum class ObjectOutcome {
   kWaiting,  ///< its turn did not come
@@ -73,7 +73,7 @@ enum class ObjectOutcome {
   kDropped,  ///< lost on the way
   kDoubt     ///< one view showed it and no later look did: most likely it was never there
 };
-const char* name(ObjectOutcome outcome);
+std::string toString(ObjectOutcome outcome);
 
 struct TaskObject {
   MappedObject object;  ///< as last known

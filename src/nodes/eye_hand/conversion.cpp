@@ -78,7 +78,7 @@ GraspTarget toMessage(const LocatedObject& object, const GraspCandidate& grasp) 
 
   target.width = grasp.part_width;
   target.opening = grasp.opening;
-  target.branch = name(grasp.branch);
+  target.branch = toString(grasp.branch);
   copyJoints(grasp.pregrasp_joints, &target.pregrasp_joints);
   copyJoints(grasp.grasp_joints, &target.grasp_joints);
   copyJoints(grasp.lift_joints, &target.retreat_joints);

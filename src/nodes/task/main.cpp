@@ -61,7 +61,8 @@ class TaskNode {
       ClearFrameTask task(
           &models_, &world_, options, [this] { return stopped(); },
           [this](const TaskFeedback& feedback) {
-            ROS_INFO("%s %s: %s", name(feedback.stage), feedback.object.c_str(), feedback.text.c_str());
+            ROS_INFO("%s %s: %s", toString(feedback.stage).c_str(), feedback.object.c_str(),
+                     feedback.text.c_str());
             server_.publishFeedback(toMessage(feedback));
           });
       world_.restart(options.frame, interrupted_);
@@ -75,7 +76,7 @@ class TaskNode {
     interrupted_ = result.outcome == TaskOutcome::kCancelled || result.outcome == TaskOutcome::kFault;
     const ClearFrameResult message =
         toMessage(result, parameters_.base_frame, (ros::Time::now() - begin).toSec());
-    ROS_INFO("%s: %s", name(result.outcome), result.reason.c_str());
+    ROS_INFO("%s: %s", toString(result.outcome).c_str(), result.reason.c_str());
     if (result.outcome == TaskOutcome::kCancelled)
       server_.setPreempted(message, result.reason);
     else if (result.outcome == TaskOutcome::kCleared)

@@ -147,7 +147,7 @@ ClearFrameResult toMessage(const TaskResult& result, const std::string& base_fra
 
 ClearFrameFeedback toMessage(const TaskFeedback& feedback) {
   ClearFrameFeedback message;
-  message.stage = name(feedback.stage);
+  message.stage = toString(feedback.stage);
   message.object = feedback.object;
   message.round = feedback.round;
   message.carried = feedback.carried;

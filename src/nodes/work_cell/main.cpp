@@ -1,8 +1,8 @@
 #include <ros/ros.h>
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
+#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/simulation/cell_scene.h"
 #include "nodes/common/run_node.h"

@@ -9,7 +9,7 @@ TEST(ActionOutcome, ComesBackFromItsCode) {
   for (const ActionOutcome outcome :
        {ActionOutcome::kDone, ActionOutcome::kUnreachable, ActionOutcome::kInCollision,
         ActionOutcome::kGraspLost, ActionOutcome::kCancelled, ActionOutcome::kFault})
-    EXPECT_EQ(outcomeOf(codeOf(outcome)), outcome) << name(outcome);
+    EXPECT_EQ(outcomeOf(codeOf(outcome)), outcome) << toString(outcome);
 }
 
 TEST(ActionOutcome, OfAnUnknownCodeIsAFault) { EXPECT_EQ(outcomeOf(77), ActionOutcome::kFault); }

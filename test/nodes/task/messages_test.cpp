@@ -191,7 +191,7 @@ TEST(TaskMessages, AGraspIsWhatItsMessageSays) {
   EXPECT_EQ(grasp.part_width, 0.04);
   EXPECT_EQ(grasp.opening, 0.06);
   EXPECT_EQ(grasp.approach, Eigen::Vector3d(0.6, 0, -0.8));
-  EXPECT_EQ(name(grasp.branch), "left-down-negative");
+  EXPECT_EQ(toString(grasp.branch), "left-down-negative");
   EXPECT_DOUBLE_EQ(grasp.pregrasp_joints[5], 0.5);
   EXPECT_DOUBLE_EQ(grasp.grasp_joints[0], 1);
   EXPECT_DOUBLE_EQ(grasp.lift_joints[3], 2.3);
@@ -209,7 +209,7 @@ TEST(TaskMessages, EveryOutcomeHasItsCode) {
   for (const auto& [outcome, code] : tasks) {
     TaskResult result;
     result.outcome = outcome;
-    EXPECT_EQ(int(toMessage(result, "base_link", 0).outcome), code) << name(outcome);
+    EXPECT_EQ(int(toMessage(result, "base_link", 0).outcome), code) << toString(outcome);
   }
   const std::pair<ObjectOutcome, int> objects[] = {
       {ObjectOutcome::kWaiting, ClearedObject::WAITING}, {ObjectOutcome::kCarried, ClearedObject::CARRIED},
@@ -219,7 +219,7 @@ TEST(TaskMessages, EveryOutcomeHasItsCode) {
     TaskResult result;
     result.objects.resize(1);
     result.objects[0].outcome = outcome;
-    EXPECT_EQ(int(toMessage(result, "base_link", 0).objects.at(0).outcome), code) << name(outcome);
+    EXPECT_EQ(int(toMessage(result, "base_link", 0).objects.at(0).outcome), code) << toString(outcome);
   }
 }
 

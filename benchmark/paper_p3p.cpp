@@ -1,4 +1,4 @@
-#include "seed_p3p.h"
+#include "paper_p3p.h"
 
 #include <Eigen/LU>
 #include <cmath>
@@ -65,7 +65,7 @@ void polishLegs(const Tetrahedron& t, Vector3d* legs) {
 
 }  // namespace
 
-std::vector<Rigid3> seedP3P(const P3PProblem& p, bool polish) {
+std::vector<Rigid3> paperP3P(const P3PProblem& p, bool polish) {
   const Tetrahedron t = {
       (p.points.col(0) - p.points.col(1)).squaredNorm(), (p.points.col(0) - p.points.col(2)).squaredNorm(),
       (p.points.col(1) - p.points.col(2)).squaredNorm(), p.bearings.col(0).dot(p.bearings.col(1)),

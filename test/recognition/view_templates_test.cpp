@@ -1,5 +1,5 @@
-// What a model offers as rulers of flat templates.
-#include "recognition/anchors.h"
+// What a model offers as base edges of view templates.
+#include "recognition/view_templates.h"
 
 #include <algorithm>
 
@@ -10,25 +10,25 @@
 namespace monocular_eye_hand {
 namespace {
 
-// Lengths of a part's anchors over all views of the farthest level [m].
-std::vector<double> anchorLengths(const Mesh& mesh) {
+// Lengths of a part's base edges over all views of the farthest level [m].
+std::vector<double> baseLengths(const Mesh& mesh) {
   const KnownObject object = known("part", mesh);
   const SearchModel model(object);
   std::vector<double> lengths;
-  for (const Anchor& anchor : model.levels().back().anchors) lengths.push_back(anchor.length);
+  for (const ViewTemplate& one : model.levels().back().templates) lengths.push_back(one.length);
   return lengths;
 }
 
-TEST(Anchors, of_a_box_are_its_edges) {
-  const std::vector<double> lengths = anchorLengths(boxMesh({0.08, 0.06, 0.04}));
+TEST(ViewTemplates, OfABoxAreItsEdges) {
+  const std::vector<double> lengths = baseLengths(boxMesh({0.08, 0.06, 0.04}));
   ASSERT_FALSE(lengths.empty());
   EXPECT_TRUE(std::is_sorted(lengths.begin(), lengths.end()));
   EXPECT_NEAR(lengths.back(), 0.08, 0.004) << "the longest edge, seen across";
   EXPECT_GE(lengths.front(), 0.1 * std::sqrt(0.08 * 0.08 + 0.06 * 0.06 + 0.04 * 0.04) - 1e-9);
 }
 
-TEST(Anchors, of_a_cylinder_are_the_limbs_of_its_wall) {
-  const std::vector<double> lengths = anchorLengths(cylinderMesh(0.02, 0.08));
+TEST(ViewTemplates, OfACylinderAreTheLimbsOfItsWall) {
+  const std::vector<double> lengths = baseLengths(cylinderMesh(0.02, 0.08));
   ASSERT_FALSE(lengths.empty()) << "it has no straight edge";
   EXPECT_NEAR(lengths.back(), 0.08, 0.006);
 }
@@ -46,15 +46,15 @@ Mesh screw(double radius, double shank, double head) {
   return shapes::revolved(profile, 36);
 }
 
-TEST(Anchors, of_a_screw_are_the_sides_of_its_shank) {
+TEST(ViewTemplates, OfAScrewAreTheSidesOfItsShank) {
   const double radius = 0.004, shank = 0.045;
-  const std::vector<double> lengths = anchorLengths(screw(radius, shank, 0.006));
+  const std::vector<double> lengths = baseLengths(screw(radius, shank, 0.006));
   const auto beside = std::count_if(lengths.begin(), lengths.end(),
                                     [&](double length) { return std::abs(length - shank) < 0.1 * shank; });
   EXPECT_GE(beside, 2) << "in the view from the side";
 }
 
-TEST(Anchors, a_ball_has_none) { EXPECT_TRUE(anchorLengths(sphereMesh(0.03, 80)).empty()); }
+TEST(ViewTemplates, ABallHasNone) { EXPECT_TRUE(baseLengths(sphereMesh(0.03, 80)).empty()); }
 
 }  // namespace
 }  // namespace monocular_eye_hand

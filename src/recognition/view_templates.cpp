@@ -1,4 +1,4 @@
-#include "recognition/anchors.h"
+#include "recognition/view_templates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kMinShare = 0.10;    // shortest ruler, as a share of the diameter
+constexpr double kMinShare = 0.10;    // shortest base edge, as a share of the diameter
 constexpr double kMinVisible = 0.8;   // of an edge: else its ends are not those of the segment
-constexpr size_t kEnough = 4;         // rulers: a view with as many sharp edges needs no other
-constexpr double kLong = 0.25;        // a view without a ruler of this share of the diameter needs others
+constexpr size_t kEnough = 4;         // base edges: a view with as many sharp edges needs no other
+constexpr double kLong = 0.25;        // a view without a base edge of this share of the diameter needs others
 constexpr double kStraight = 0.0015;  // departure of a straight line from its chord, share of the diameter
 constexpr double kNext = 2.5;         // steps between neighbouring samples of one line
 
@@ -26,18 +26,18 @@ std::vector<char> ownSamples(size_t count, int first, int last) {
 }
 
 void addEdges(const ObjectModel& model, const SampledView& view, const Eigen::Matrix3d& rotation,
-              const FlatView& flat, double step, std::vector<ViewRuler>* rulers) {
+              const FlatView& flat, double step, std::vector<BaseEdge>* bases) {
   std::vector<int> visible(model.edges.size(), 0);
-  for (int group : flat.group)
-    if (group < int(visible.size())) ++visible[size_t(group)];
+  for (int feature : flat.feature)
+    if (feature < int(visible.size())) ++visible[size_t(feature)];
   for (size_t e = 0; e < model.edges.size(); ++e) {
     const ModelEdge& edge = model.edges[e];
     if (visible[e] * step < kMinVisible * (edge.q - edge.p).norm()) continue;
-    ViewRuler ruler{flatPoint(edge.p, view, rotation, model.centre()),
-                    flatPoint(edge.q, view, rotation, model.centre()), std::vector<char>(flat.group.size())};
-    if (ruler.length() < kMinShare * model.diameter) continue;
-    for (size_t i = 0; i < flat.group.size(); ++i) ruler.own[i] = flat.group[i] == int(e);
-    rulers->push_back(std::move(ruler));
+    BaseEdge base{flatPoint(edge.p, view, rotation, model.centre()),
+                  flatPoint(edge.q, view, rotation, model.centre()), std::vector<char>(flat.feature.size())};
+    if (base.length() < kMinShare * model.diameter) continue;
+    for (size_t i = 0; i < flat.feature.size(); ++i) base.own[i] = flat.feature[i] == int(e);
+    bases->push_back(std::move(base));
   }
 }
 
@@ -58,84 +58,85 @@ int bend(const FlatView& flat, int first, int last, double tolerance) {
 }
 
 // Straight pieces of the samples first ... last of one line.
-void addStraight(const FlatView& flat, int first, int last, double diameter, std::vector<ViewRuler>* rulers) {
+void addStraight(const FlatView& flat, int first, int last, double diameter, std::vector<BaseEdge>* bases) {
   const Eigen::Vector2d &p = flat.place[size_t(first)], &q = flat.place[size_t(last)];
   if (last - first < 3) return;
   const int bent = bend(flat, first, last, kStraight * diameter);
   if (bent >= 0) {
-    addStraight(flat, first, bent, diameter, rulers);
-    addStraight(flat, bent, last, diameter, rulers);
+    addStraight(flat, first, bent, diameter, bases);
+    addStraight(flat, bent, last, diameter, bases);
     return;
   }
 
   if ((q - p).norm() < kMinShare * diameter) return;
   // Half a step lies before the first sample, and half of one behind the last.
   const Eigen::Vector2d half = 0.5 * (q - p) / double(last - first);
-  rulers->push_back({p - half, q + half, ownSamples(flat.place.size(), first, last + 1)});
+  bases->push_back({p - half, q + half, ownSamples(flat.place.size(), first, last + 1)});
 }
 
 // Of the lines that are no straight edges.
 void addStraightPieces(const ObjectModel& model, const SampledView& view, const FlatView& flat, double step,
-                       std::vector<ViewRuler>* rulers) {
+                       std::vector<BaseEdge>* bases) {
   const int count = int(flat.place.size());
   const auto goesOn = [&](int i) {
-    return flat.group[size_t(i)] == flat.group[size_t(i) - 1] &&
+    return flat.feature[size_t(i)] == flat.feature[size_t(i) - 1] &&
            (view.contour[size_t(i)].p - view.contour[size_t(i) - 1].p).norm() < kNext * step;
   };
   for (int first = 0; first < count;) {
     int next = first + 1;
     while (next < count && goesOn(next)) ++next;
-    if (flat.group[size_t(first)] >= int(model.edges.size()))
-      addStraight(flat, first, next - 1, model.diameter, rulers);
+    if (flat.feature[size_t(first)] >= int(model.edges.size()))
+      addStraight(flat, first, next - 1, model.diameter, bases);
     first = next;
   }
 }
 
-bool anyLongerThan(double length, const std::vector<ViewRuler>& rulers) {
-  return std::any_of(rulers.begin(), rulers.end(), [&](const ViewRuler& r) { return r.length() > length; });
+bool anyLongerThan(double length, const std::vector<BaseEdge>& bases) {
+  return std::any_of(bases.begin(), bases.end(), [&](const BaseEdge& r) { return r.length() > length; });
 }
 
-// The anchor of a ruler: samples of other lines first, farthest from the ruler first. None of a view without
-// samples.
-std::optional<Anchor> makeAnchor(const FlatView& flat, const ViewRuler& ruler, int view, double diameter) {
-  const Eigen::Vector2d &a = ruler.a, ab = ruler.b - ruler.a;
+// The template of a base edge: samples of other lines first, farthest from the edge first. None of a view
+// without samples.
+std::optional<ViewTemplate> makeTemplate(const FlatView& flat, const BaseEdge& base, int view,
+                                         double diameter) {
+  const Eigen::Vector2d &a = base.a, ab = base.b - base.a;
   std::vector<double> weight(flat.place.size());
   for (size_t i = 0; i < weight.size(); ++i) {
     const double along = std::clamp((flat.place[i] - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-    weight[i] = ruler.own[i] ? 1e-6 : (flat.place[i] - a - along * ab).norm() + 1e-3 * diameter;
+    weight[i] = base.own[i] ? 1e-6 : (flat.place[i] - a - along * ab).norm() + 1e-3 * diameter;
   }
-  std::vector<int> order = spreadOrder(flat.place, weight, Anchor::kSamples);
+  std::vector<int> order = spreadOrder(flat.place, weight, ViewTemplate::kSamples);
   if (order.empty()) return std::nullopt;
   const size_t distinct = order.size();
-  while (order.size() < size_t(Anchor::kSamples)) order.push_back(order[order.size() % distinct]);
+  while (order.size() < size_t(ViewTemplate::kSamples)) order.push_back(order[order.size() % distinct]);
 
-  Anchor anchor;
-  anchor.a = a.cast<float>();
-  anchor.b = ruler.b.cast<float>();
-  anchor.length = float(ab.norm());
-  anchor.contour = float(flat.length);
-  anchor.view = view;
-  anchor.centre_x = float(-a.dot(ab) / ab.squaredNorm());
-  anchor.centre_y = float((ab.y() * a.x() - ab.x() * a.y()) / ab.squaredNorm());
-  for (size_t i = 0; i < size_t(Anchor::kSamples); ++i) {
+  ViewTemplate result;
+  result.a = a.cast<float>();
+  result.b = base.b.cast<float>();
+  result.length = float(ab.norm());
+  result.contour = float(flat.length);
+  result.view = view;
+  result.centre_x = float(-a.dot(ab) / ab.squaredNorm());
+  result.centre_y = float((ab.y() * a.x() - ab.x() * a.y()) / ab.squaredNorm());
+  for (size_t i = 0; i < size_t(ViewTemplate::kSamples); ++i) {
     const Eigen::Vector2d r = flat.place[size_t(order[i])] - a, d = flat.direction[size_t(order[i])];
-    anchor.x[i] = float(r.dot(ab) / ab.squaredNorm());
-    anchor.y[i] = float((ab.x() * r.y() - ab.y() * r.x()) / ab.squaredNorm());
+    result.x[i] = float(r.dot(ab) / ab.squaredNorm());
+    result.y[i] = float((ab.x() * r.y() - ab.y() * r.x()) / ab.squaredNorm());
     const double angle = std::atan2(ab.x() * d.y() - ab.y() * d.x(), ab.dot(d));
-    anchor.angle[i] = uint8_t(int(std::lround(angle / M_PI * 256.0)) & 255);
+    result.angle[i] = uint8_t(int(std::lround(angle / M_PI * 256.0)) & 255);
   }
-  return anchor;
+  return result;
 }
 
 }  // namespace
 
-std::vector<AnchorLevel> anchorLevels(const KnownObject& object,
-                                      const std::vector<Eigen::Matrix3d>& view_rotations) {
+std::vector<TemplateLevel> templateLevels(const KnownObject& object,
+                                          const std::vector<Eigen::Matrix3d>& view_rotations) {
   const ViewSphere& sphere = object.views;
   const ObjectModel& model = object.model;
-  std::vector<AnchorLevel> levels;
+  std::vector<TemplateLevel> levels;
   for (size_t l = 0; l < sphere.distances.size(); ++l) {
-    AnchorLevel level;
+    TemplateLevel level;
     const double ratio = sphere.distances[l] / model.diameter;
     // Levels meet half way in 1 / ratio, which is what perspective depends on.
     level.min_ratio = l == 0 ? 0.8 * ratio : levels.back().max_ratio;
@@ -149,20 +150,20 @@ std::vector<AnchorLevel> anchorLevels(const KnownObject& object,
       const double step = sampleStepOf(view);
       const FlatView flat = flatten(view, rotation, model.centre(), step);
 
-      std::vector<ViewRuler> rulers;
-      addEdges(model, view, rotation, flat, step, &rulers);
-      if (rulers.size() < kEnough) addStraightPieces(model, view, flat, step, &rulers);
-      if (!anyLongerThan(kLong * model.diameter, rulers)) {
-        std::vector<ViewRuler> sides = outlineSides(flat, model.diameter);
-        std::move(sides.begin(), sides.end(), std::back_inserter(rulers));
+      std::vector<BaseEdge> bases;
+      addEdges(model, view, rotation, flat, step, &bases);
+      if (bases.size() < kEnough) addStraightPieces(model, view, flat, step, &bases);
+      if (!anyLongerThan(kLong * model.diameter, bases)) {
+        std::vector<BaseEdge> sides = outlineSides(flat, model.diameter);
+        std::move(sides.begin(), sides.end(), std::back_inserter(bases));
       }
-      for (const ViewRuler& ruler : rulers)
-        if (const auto anchor = makeAnchor(flat, ruler, index, model.diameter))
-          level.anchors.push_back(*anchor);
+      for (const BaseEdge& base : bases)
+        if (const auto made = makeTemplate(flat, base, index, model.diameter))
+          level.templates.push_back(*made);
     }
 
-    std::stable_sort(level.anchors.begin(), level.anchors.end(),
-                     [](const Anchor& p, const Anchor& q) { return p.length < q.length; });
+    std::stable_sort(level.templates.begin(), level.templates.end(),
+                     [](const ViewTemplate& p, const ViewTemplate& q) { return p.length < q.length; });
     levels.push_back(std::move(level));
   }
   return levels;
