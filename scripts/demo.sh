@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and shows both halves of the package:
+# Installs what is missing, builds what it runs (the rest: cmake --build build), and shows both halves of the package:
 # - recognises the objects in the images that ship with it: a table of objects (name, pose, probability, time) and
 #   pictures in build/demo/<image>/: figures 9 to 11 of the method's paper (scene, line groups, ellipses, one
 #   back-projection per object), and a page, index.html, with a picture of every stage;
@@ -10,7 +10,7 @@
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 install_packages build ros test
-build_targets all
+build_targets demo
 use_devel_space
 
 say "recognising"

@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kDim = 0.5;
+constexpr double kGroupingDim = 0.5;
 
 template <typename List>
 bool inside(int index, const List& list) {
@@ -59,7 +59,7 @@ std::vector<GroupingPicture> groupingPictures(const cv::Mat& grey, const Feature
     std::stable_sort(members.begin(), members.end(),
                      [](const Grouping* a, const Grouping* b) { return a->weight > b->weight; });
     const int shown = std::min(std::max(max_lines, 0), int(members.size()));
-    Canvas canvas(grey, features.camera, kDim);
+    Canvas canvas(grey, features.camera, kGroupingDim);
     // The best ones last: on top.
     for (int k = shown - 1; k >= 0; --k) drawGrouping(&canvas, features, *members[k], paletteColour(k));
     canvas.caption(fmt::format("{}: {} of {}", toString(kind), shown, members.size()));
@@ -70,7 +70,7 @@ std::vector<GroupingPicture> groupingPictures(const cv::Mat& grey, const Feature
 
 cv::Mat lineGroupsPicture(const cv::Mat& grey, const FeatureSet& features,
                           const std::vector<Grouping>& groupings, double min_weight) {
-  Canvas canvas(grey, features.camera, kDim);
+  Canvas canvas(grey, features.camera, kGroupingDim);
   const std::vector<int> group = connectedGroups(features.segments.size(), groupings, min_weight);
   std::map<int, int> size, colour;
   for (int g : group) size[g]++;

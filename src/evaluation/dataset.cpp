@@ -16,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-constexpr double kMetresPerMillimetre = 1e-3;
 
 Eigen::Matrix3d matrixAt(const json& value, const char* key, const std::string& where) {
   const auto numbers = numbersAt<9>(value, key, where);

@@ -7,6 +7,8 @@
 
 namespace monocular_eye_hand {
 
+inline constexpr double kMetresPerMillimetre = 1e-3;  // BOP files are in millimetres
+
 // Readers of the BOP JSON files. All throw BadInput naming the file and what is wrong with it.
 
 nlohmann::json loadJson(const std::string& path);

@@ -10,7 +10,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kMetresPerMillimetre = 1e-3;
 using RowMajor4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 
 BopSymmetries readSymmetries(const nlohmann::json& info, const std::string& where) {

@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kSymmetryStep = 0.05;
+constexpr double kCoarseSymmetryStep = 0.05;
 constexpr double kFarDiameters = 2;
 
 Eigen::Vector3d middleOf(const BopModel& model) {
@@ -110,7 +110,7 @@ double TruthOutcome::recall() const {
 }
 
 RunOutcomes judgeRun(const BopSplit& split, const BopModels& models, const std::vector<BopResult>& results) {
-  const ErrorMeter meter(models, kSymmetryStep);
+  const ErrorMeter meter(models, kCoarseSymmetryStep);
   std::map<int, Eigen::Vector3d> middles;
   for (const auto& entry : models) middles[entry.first] = middleOf(entry.second);
 
@@ -134,7 +134,7 @@ RunOutcomes judgeRun(const BopSplit& split, const BopModels& models, const std::
 
 std::vector<JudgedPose> measured(std::vector<JudgedPose> poses, const BopSplit& split,
                                  const BopModels& models) {
-  const ErrorMeter meter(models, kSymmetryStep);
+  const ErrorMeter meter(models, kCoarseSymmetryStep);
   for (JudgedPose& pose : poses) {
     const BopImage* image = split.find(pose.scene, pose.image);
     if (!image) continue;

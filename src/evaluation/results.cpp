@@ -8,12 +8,11 @@
 #include <locale>
 #include <sstream>
 
+#include "evaluation/json_file.h"
 #include "monocular_eye_hand/geometry/error.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-constexpr double kMetresPerMillimetre = 1e-3;
 
 std::ofstream openForWriting(const std::string& path) {
   std::ofstream file(path);

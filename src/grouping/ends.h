@@ -31,6 +31,10 @@ struct EndMap {
   std::vector<std::vector<int>> continued_by;    ///< per end: ends of the same line that face it, ascending
 };
 
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 inline Eigen::Vector2d endPoint(const FeatureSet& f, int end) {
   return end % 2 ? f.segments[end / 2].q : f.segments[end / 2].p;
 }

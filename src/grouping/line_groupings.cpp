@@ -16,8 +16,6 @@ constexpr double kTStructure = 0.3;
 // How likely the ends of a three-sided figure are the corners of its missing side.
 constexpr double kOpenStructure = 0.5;
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 int otherEnd(const Corner& corner, int end) { return corner.end_a == end ? corner.end_b : corner.end_a; }
 
 /// Where an edge ends, with its standard deviation: the corner found there, else the segment's own end.

@@ -17,8 +17,6 @@ constexpr double kShortestContinuation = 6.0;
 // A break of a line is bridged up to this share of the two lengths (as the joining of segments does).
 constexpr double kContinuationRatio = 0.4;
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double cornerLimit(const GroupingOptions& o, double shorter) {
   return std::max(3.0, std::min(o.corner_gap, o.corner_gap_ratio * shorter));
 }

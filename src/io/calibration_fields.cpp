@@ -13,7 +13,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kDeepest = 4;           // levels of lists inside a field
+constexpr int kMaxListDepth = 4;      // levels of lists inside a field
 constexpr size_t kMostNumbers = 100;  // of one field
 
 std::string simplified(const std::string& name) {
@@ -49,7 +49,7 @@ void collect(const YAML::Node& node, const std::string& field, int depth, std::v
   if (node.IsScalar()) {
     if (out->size() >= kMostNumbers) throw BadInput("'" + field + "' holds more than 100 numbers");
     out->push_back(parsed(node.Scalar(), field));
-  } else if (node.IsSequence() && depth < kDeepest) {
+  } else if (node.IsSequence() && depth < kMaxListDepth) {
     for (const YAML::Node& item : node) collect(item, field, depth + 1, out);
   } else if (!node.IsNull()) {
     throw BadInput("'" + field + "' is no list of numbers");

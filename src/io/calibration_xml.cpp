@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kDeepest = 30;
+constexpr int kMaxElementDepth = 30;
 
 std::string trimmed(const std::string& text) {
   const size_t begin = text.find_first_not_of(" \t\n"), end = text.find_last_not_of(" \t\n");
@@ -63,7 +63,7 @@ class XmlParser {
   }
 
   XmlElement element(int depth) {
-    if (depth > kDeepest) fail("elements are nested too deeply");
+    if (depth > kMaxElementDepth) fail("elements are nested too deeply");
     XmlElement out;
     const size_t begin = ++at_;
     at_ = text_.find_first_of(" \t\n/>", begin);

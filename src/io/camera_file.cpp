@@ -16,7 +16,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr size_t kMostBytes = 4 << 20;
-constexpr int kDeepest = 50;             // levels of a YAML file
+constexpr int kMaxYamlDepth = 50;        // levels of a YAML file
 constexpr size_t kMostValues = 1000000;  // of a YAML file
 constexpr double kFarFromMiddle = 0.15;  // of the principal point, as a share of width or height
 const char kKnown[] =
@@ -35,7 +35,7 @@ struct Tree {
 
 /// Aliases (*name) may stand in what they name, or double it over and over: then there is no end.
 void requireEnd(const YAML::Node& node, int depth, size_t* values) {
-  if (depth > kDeepest || ++*values > kMostValues)
+  if (depth > kMaxYamlDepth || ++*values > kMostValues)
     refuseAsNone(fmt::format("line {} is nested too deeply or repeated too often (by aliases, *name)",
                              node.Mark().line + 1));
   if (node.IsSequence()) {

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kDeepest = 4;             // folders below an entry of ROS_PACKAGE_PATH
+constexpr int kMaxFolderDepth = 4;      // folders below an entry of ROS_PACKAGE_PATH
 constexpr size_t kMostFolders = 20000;  // looked into, so that "/" as an entry does not take forever
 
 std::vector<std::string> foldersOf(const char* variable) {
@@ -56,7 +56,7 @@ std::string foundBelow(const fs::path& folder, const std::string& package, int d
   std::error_code error;
   if (isPackage(folder, package)) return folder.string();
   if (depth == 0 || ++*looked_into > kMostFolders || fs::exists(folder / "CATKIN_IGNORE", error)) return "";
-  if (depth < kDeepest && fs::is_regular_file(folder / "package.xml", error)) return "";
+  if (depth < kMaxFolderDepth && fs::is_regular_file(folder / "package.xml", error)) return "";
 
   std::vector<fs::path> below;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -92,7 +92,7 @@ std::string packageFolder(const std::string& package) {
 
   size_t looked_into = 0;
   for (const std::string& folder : foldersOf("ROS_PACKAGE_PATH")) {
-    const std::string found = foundBelow(folder, package, kDeepest, &looked_into);
+    const std::string found = foundBelow(folder, package, kMaxFolderDepth, &looked_into);
     if (!found.empty()) return found;
   }
   for (const char* variable : {"CMAKE_PREFIX_PATH", "AMENT_PREFIX_PATH"}) {

@@ -161,8 +161,8 @@ class View {
     const double middle = std::atan2(y, x), half = std::acos(wall.radius / distance);
     for (const double side : {-1.0, 1.0}) {
       double angle = middle + side * half;
-      if (angle > kPi) angle -= 2 * kPi;
-      if (angle < -kPi) angle += 2 * kPi;
+      if (angle > M_PI) angle -= 2 * M_PI;
+      if (angle < -M_PI) angle += 2 * M_PI;
       wall.cover(angle, &intervals_);
 
       const Eigen::Vector3d radial = std::cos(angle) * wall.x + std::sin(angle) * wall.y;
@@ -209,7 +209,6 @@ class View {
     }
   }
 
-  static constexpr double kPi = 3.14159265358979323846;
   const ObjectModel& model_;
   const ContourIndex& index_;
   const Eigen::Vector3d eye_;

@@ -9,10 +9,9 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kStartShare = 0.003;  // of the diameter: visibility rays begin this far outside
 
-double wrapped(double angle) { return angle - 2 * kPi * std::round(angle / (2 * kPi)); }
+double wrapped(double angle) { return angle - 2 * M_PI * std::round(angle / (2 * M_PI)); }
 
 }  // namespace
 
@@ -58,8 +57,8 @@ void CylinderWall::cover(double angle, std::vector<HeightRange>* out) const {
   constexpr double kSlack = 1e-9;
   for (const Triangle& t : triangles) {
     double a = angle;
-    if (a < t.low - kSlack) a += 2 * kPi;
-    if (a > t.high + kSlack) a -= 2 * kPi;
+    if (a < t.low - kSlack) a += 2 * M_PI;
+    if (a > t.high + kSlack) a -= 2 * M_PI;
     if (a < t.low - kSlack || a > t.high + kSlack) continue;
     double low = 1e300, high = -1e300;
     for (int c = 0; c < 3; ++c) {

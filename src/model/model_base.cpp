@@ -12,7 +12,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kManyTriangles = 50000;  // their edges take seconds, whether or not the rest is cached
+constexpr size_t kSlowTriangles = 50000;  // their edges take seconds, whether or not the rest is cached
 
 /// Every option that changes what is cached, spelled exactly.
 class SpellOptions {
@@ -87,7 +87,7 @@ KnownObject compile(const ObjectEntry& entry, ModelDepth depth, const ViewOption
   const auto tell = [&](const std::string& step) {
     if (progress) progress(entry.name + " (" + std::to_string(triangles) + " triangles): " + step);
   };
-  if (triangles > kManyTriangles) tell("looking for edges");
+  if (triangles > kSlowTriangles) tell("looking for edges");
   object.model = buildShape(entry.name, loaded.mesh, entry.options);
   std::vector<std::string>& warnings = object.model.warnings;
   warnings.insert(warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());

@@ -10,7 +10,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kSquare = 0.999;  // cosine between the plane's normal and the wall's axis
 constexpr double kOnCircle =
     1e-3;                         // vertices of a border lie on its circle within this share of the diameter
@@ -87,7 +86,7 @@ Extent extentOf(const Border& border, const Turned& turned) {
   std::vector<double> angles;
   for (const MeshEdge* e : border) {
     const double from = turned.angle(e->a), to = turned.angle(e->b);
-    const double turn = std::abs(std::remainder(to - from, 2 * kPi));
+    const double turn = std::abs(std::remainder(to - from, 2 * M_PI));
     extent.covered += turn;
     extent.segment = std::max(extent.segment, turn);
     angles.insert(angles.end(), {from, to});
@@ -95,13 +94,13 @@ Extent extentOf(const Border& border, const Turned& turned) {
 
   std::sort(angles.begin(), angles.end());
   extent.start = angles.front();
-  double gap = angles.front() + 2 * kPi - angles.back();
+  double gap = angles.front() + 2 * M_PI - angles.back();
   for (size_t i = 1; i < angles.size(); ++i) {
     if (angles[i] - angles[i - 1] <= gap) continue;
     gap = angles[i] - angles[i - 1];
     extent.start = angles[i];
   }
-  extent.sweep = extent.covered > 2 * kPi - 0.01 ? 2 * kPi : 2 * kPi - gap;
+  extent.sweep = extent.covered > 2 * M_PI - 0.01 ? 2 * M_PI : 2 * M_PI - gap;
   return extent;
 }
 
@@ -131,7 +130,7 @@ std::optional<ModelCircle> middleOf(const Mesh& mesh, const SurfaceSplit& split,
   const bool plane_inside = on_plane->x() < on_wall->x();
   circle.surface = surfaces;
   circle.normal = {Eigen::Vector2d(0, 1), Eigen::Vector2d(wall.convex ? 1 : -1, 0)};
-  circle.dihedral = kPi / 2;
+  circle.dihedral = M_PI / 2;
   circle.convex = plane_inside == wall.convex;
   circle.left = plane_inside;
   circle.rounding = 0.5 * (width + height);

@@ -7,8 +7,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kFitShare = 2e-3;  // vertices of an arc lie on it within this share of its radius
+constexpr double kArcFitShare = 2e-3;  // vertices of an arc lie on it within this share of its radius
 constexpr size_t kLeastSegments = 3;
 
 /// Mesh edges in order between the same two surfaces; edge k runs from vertex k to vertex k + 1.
@@ -19,9 +18,9 @@ struct Chain {
   bool closed = false;
 };
 
-class Finder {
+class SharpFeatureFinder {
  public:
-  Finder(const Mesh& mesh, const Topology& topology, const SurfaceSplit& split, double tolerance)
+  SharpFeatureFinder(const Mesh& mesh, const Topology& topology, const SurfaceSplit& split, double tolerance)
       : mesh_(mesh), topology_(topology), split_(split), tolerance_(tolerance) {}
 
   SharpFeatures find() {
@@ -169,7 +168,7 @@ class Finder {
   bool isArc(const Chain& chain, const std::vector<int>& knots, size_t begin, size_t end, bool full) const {
     if (end - begin < kLeastSegments) return false;
     const CircleFit c = fitKnots(chain, knots, begin, end, full);
-    if (!c.valid || c.residual > kFitShare * c.radius + 4 * tolerance_) return false;
+    if (!c.valid || c.residual > kArcFitShare * c.radius + 4 * tolerance_) return false;
     double sweep = 0, widest = 0, narrowest = 1e300;
     for (size_t k = begin; k < end; ++k) {
       const double angle = turnAbout(c, position(chain, knots[k]), position(chain, knots[k + 1]));
@@ -179,7 +178,7 @@ class Finder {
       // The first and last piece may be cut short by a neighbouring face.
       if (full || (k > begin && k + 1 < end)) narrowest = std::min(narrowest, std::abs(angle));
     }
-    if (full && std::abs(std::abs(sweep) - 2 * kPi) > 0.01) return false;
+    if (full && std::abs(std::abs(sweep) - 2 * M_PI) > 0.01) return false;
     // An arc is tessellated about evenly: a long piece among short ones is a straight line beside an arc.
     return widest < 4 * narrowest;
   }
@@ -256,7 +255,7 @@ class Finder {
     const bool counter_clockwise = sweep * c.axis.dot(circle.axis) > 0;
     const Eigen::Vector3d first = position(chain, knots[counter_clockwise ? begin : end]) - c.centre;
     circle.x_axis = (first - circle.axis * circle.axis.dot(first)).normalized();
-    circle.sweep = full ? 2 * kPi : std::abs(sweep);
+    circle.sweep = full ? 2 * M_PI : std::abs(sweep);
     setNormals(chain, knots[begin], knots[end], &circle);
     // Both sides of the walk can be one surface (a cut in a free form): then surface[0] counts as its left.
     circle.left = (leftSurface(chain, knots[begin], true) == circle.surface[0]) == counter_clockwise;
@@ -331,7 +330,7 @@ class Finder {
 
 SharpFeatures findSharpFeatures(const Mesh& mesh, const Topology& topology, const SurfaceSplit& split,
                                 double tolerance) {
-  return Finder(mesh, topology, split, tolerance).find();
+  return SharpFeatureFinder(mesh, topology, split, tolerance).find();
 }
 
 }  // namespace monocular_eye_hand

@@ -10,7 +10,8 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kSquareToAxis = 0.02;  // facets of a cylinder stand square to its axis within this [rad]
-constexpr double kFitShare = 2e-3;      // vertices of a cylinder lie on it within this share of the radius
+constexpr double kCylinderFitShare =
+    2e-3;  // vertices of a cylinder lie on it within this share of the radius
 constexpr size_t kLeastFacets = 3;
 constexpr double kFlattest = 1e-4;
 
@@ -99,8 +100,8 @@ class Splitter {
     // First loosely around two facets, then with what a fit to all of them keeps.
     for (int round = 0; round < 4; ++round) {
       // So flat that the noise of the vertices would set the radius.
-      if (!c.valid || c.radius * kFlattest > tolerance_ / kFitShare) return false;
-      const double tolerance = (round == 0 ? 0.02 : kFitShare) * c.radius + 4 * tolerance_;
+      if (!c.valid || c.radius * kFlattest > tolerance_ / kCylinderFitShare) return false;
+      const double tolerance = (round == 0 ? 0.02 : kCylinderFitShare) * c.radius + 4 * tolerance_;
       if (!onCylinder(seed, c, tolerance)) return false;
       std::vector<int> now = connected(seed, [&](int f) { return onCylinder(f, c, tolerance); });
       if (now.size() < kLeastFacets) return false;
@@ -110,7 +111,7 @@ class Splitter {
       c = fit(members);
     }
 
-    if (!c.valid || c.residual > kFitShare * c.radius + 4 * tolerance_ || !hasCleanEnds(members, c)) {
+    if (!c.valid || c.residual > kCylinderFitShare * c.radius + 4 * tolerance_ || !hasCleanEnds(members, c)) {
       for (const int f : members) spent_[f] = 1;
       return false;
     }

@@ -12,7 +12,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kSurfaceSamples = 1500;
 constexpr size_t kMostVertices = 3000;  // of the mesh, used as samples besides
 constexpr double kTwinShare = 0.12;     // a rotation that moves less of the surface makes a twin
@@ -36,9 +35,9 @@ struct Mark {
   double size;        // edge length or circle radius [m]
 };
 
-class Finder {
+class SymmetryFinder {
  public:
-  Finder(const ObjectModel& model, double tolerance)
+  SymmetryFinder(const ObjectModel& model, double tolerance)
       : model_(model), tolerance_(tolerance), closest_(model.mesh), round_(model) {
     measure();
     samples_ = sampled(kSurfaceSamples, kMostVertices);
@@ -215,7 +214,7 @@ class Finder {
     axis.cwiseAbs().maxCoeff(&largest);
     const Eigen::Vector3d direction = axis[largest] < 0 ? Eigen::Vector3d(-axis) : axis;
     out_.symmetries.axis = SymmetryAxis{centroid_ - direction * direction.dot(centroid_), direction};
-    const Rigid3 flip = turned(kPi, direction.unitOrthogonal());
+    const Rigid3 flip = turned(M_PI, direction.unitOrthogonal());
     if (keeps(flip, samples_, tolerances, 1.0)) out_.symmetries.discrete.push_back(flip);
   }
 
@@ -237,7 +236,7 @@ class Finder {
   /// there are no rings of many.
   double segmentOfRings(const Eigen::Vector3d& axis) const {
     for (int fold = kFewestSegments; fold <= 72; ++fold) {
-      if (holds(turned(2 * kPi / fold, axis))) return 2 * kPi / fold;
+      if (holds(turned(2 * M_PI / fold, axis))) return 2 * M_PI / fold;
     }
     return 0;
   }
@@ -361,7 +360,7 @@ class Finder {
 
     for (const Eigen::Vector3d& axis : principalAxes()) {
       for (const int fold : {2, 3, 4, 6}) {
-        out.push_back(Eigen::AngleAxisd(2 * kPi / fold, axis).toRotationMatrix());
+        out.push_back(Eigen::AngleAxisd(2 * M_PI / fold, axis).toRotationMatrix());
       }
     }
     return out;
@@ -417,7 +416,7 @@ class Finder {
     const Eigen::AngleAxisd turn(r);
     for (int fold = 2; fold <= 60; ++fold) {
       for (int k = 1; 2 * k <= fold; ++k) {
-        const double angle = 2 * kPi * k / fold;
+        const double angle = 2 * M_PI * k / fold;
         if (std::abs(turn.angle() - angle) < 5e-3)
           return Eigen::AngleAxisd(angle, turn.axis()).toRotationMatrix();
       }
@@ -457,7 +456,7 @@ class Finder {
 }  // namespace
 
 SymmetryResult findSymmetries(const ObjectModel& model, double tolerance) {
-  return Finder(model, tolerance).find();
+  return SymmetryFinder(model, tolerance).find();
 }
 
 }  // namespace monocular_eye_hand

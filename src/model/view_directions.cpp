@@ -7,13 +7,12 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargestGap = 0.72;  // of the spacing; a little below what the header promises
 
 /// Evenly spread directions along a golden spiral (Gonzalez 2010).
 std::vector<Eigen::Vector3d> spiral(int count) {
   std::vector<Eigen::Vector3d> out;
-  const double golden = kPi * (3 - std::sqrt(5.0));
+  const double golden = M_PI * (3 - std::sqrt(5.0));
   for (int k = 0; k < count; ++k) {
     const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(std::max(0.0, 1 - z * z));
     out.emplace_back(r * std::cos(golden * k), r * std::sin(golden * k), z);
@@ -43,7 +42,7 @@ double nearest(const Eigen::Vector3d& d, const std::vector<Eigen::Vector3d>& dir
 
 std::vector<Eigen::Vector3d> meridian(const Symmetries& symmetries, double spacing) {
   const Eigen::Vector3d axis = symmetries.axis->direction, out = axis.unitOrthogonal();
-  const double end = symmetries.discrete.size() > 1 ? kPi / 2 : kPi;
+  const double end = symmetries.discrete.size() > 1 ? M_PI / 2 : M_PI;
   const int steps = std::max(1, int(std::ceil(end / spacing - 1e-9)));
   std::vector<Eigen::Vector3d> directions;
   for (int k = 0; k <= steps; ++k) {
@@ -64,7 +63,7 @@ std::vector<Eigen::Vector3d> viewDirections(const Symmetries& symmetries, double
   if (symmetries.axis) return meridian(symmetries, spacing);
 
   // Points of a hexagonal grid of this spacing own spacing^2 sqrt(3) / 2 each.
-  const int count = std::max(12, int(std::ceil(4 * kPi / (0.8660254 * spacing * spacing))));
+  const int count = std::max(12, int(std::ceil(4 * M_PI / (0.8660254 * spacing * spacing))));
   std::vector<Eigen::Vector3d> directions;
   for (const Eigen::Vector3d& d : spiral(count)) {
     if (inDomain(d, symmetries)) directions.push_back(d);

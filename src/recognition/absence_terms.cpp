@@ -10,15 +10,15 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kMinFeature = 12.0;  // a shorter feature cannot be traced [px]
-constexpr double kFoundShare = 0.5;   // of its samples answered: the feature is there
-constexpr double kBareShare = 0.5;    // of its samples on flat ground: the feature is not there
-constexpr double kFlatNoise = 3.0;    // a step below so many standard deviations is none
-constexpr double kFlatGrey = 2.5;     // ... and below this [grey levels]
-constexpr double kBeyond = 2.5;       // where the outline's other side is looked at [px]
-constexpr double kSharp = 1.0;        // dihedral of a crease that shading shows [rad]
+constexpr double kMinTraced = 12.0;  // a shorter feature cannot be traced [px]
+constexpr double kFoundShare = 0.5;  // of its samples answered: the feature is there
+constexpr double kBareShare = 0.5;   // of its samples on flat ground: the feature is not there
+constexpr double kFlatNoise = 3.0;   // a step below so many standard deviations is none
+constexpr double kFlatGrey = 2.5;    // ... and below this [grey levels]
+constexpr double kOtherSide = 2.5;   // where the outline's other side is looked at [px]
+constexpr double kSharp = 1.0;       // dihedral of a crease that shading shows [rad]
 
-struct Tally {
+struct AbsenceTally {
   int samples = 0, hits = 0, bare = 0;
   void add(bool hit, bool flat) {
     ++samples;
@@ -55,7 +55,7 @@ bool isOutline(const ObjectModel& model, const SearchImage& image, const Rigid3&
   if (!s.silhouette) return false;
   if (s.inward == 0) return true;
   const Eigen::Vector2d normal = s.normal();
-  const Eigen::Vector2d beyond = s.uv - s.inward * kBeyond * normal;
+  const Eigen::Vector2d beyond = s.uv - s.inward * kOtherSide * normal;
   const Eigen::Vector3d ray = (object_from_camera.rotation * image.camera.ray(beyond)).normalized();
   return !model.rays->cast(object_from_camera.translation, ray).hit;
 }
@@ -64,8 +64,8 @@ bool isOutline(const ObjectModel& model, const SearchImage& image, const Rigid3&
 
 void absenceTerms(const ObjectModel& model, const SearchImage& image, Candidate* candidate) {
   const Rigid3 object_from_camera = candidate->pose.camera_from_object.inverse();
-  Tally outline, inner, sharp;
-  std::map<int, Tally> features;
+  AbsenceTally outline, inner, sharp;
+  std::map<int, AbsenceTally> features;
   for (SeenSample& s : candidate->contour) {
     if (!s.inside) continue;
     const bool hit = s.edge_point >= 0, bare = !hit && flat(image, s);
@@ -89,7 +89,7 @@ void absenceTerms(const ObjectModel& model, const SearchImage& image, Candidate*
   terms.sharp_bare = sharp.bareShare();
   int found = 0, bare = 0, counted = 0;
   for (const auto& [index, tally] : features) {
-    if (tally.samples * kStep < kMinFeature) continue;
+    if (tally.samples * kStep < kMinTraced) continue;
     ++counted;
     found += tally.hits >= kFoundShare * tally.samples;
     bare += tally.bare >= kBareShare * tally.samples;

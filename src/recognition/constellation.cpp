@@ -7,8 +7,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kSameCorner = 1.5;  // [px]
-constexpr double kReach = 4.0;       // farthest image corner that answers a model corner [px]
+constexpr double kSameCorner = 1.5;         // [px]
+constexpr double kMaxCornerDistance = 4.0;  // farthest image corner that answers a model corner [px]
 constexpr double kSameLine = 0.985;  // cosine between a model edge's image and the segment that answers it
 
 bool lineMeets(const Eigen::Vector2d& direction, const ImageCorner& corner, const FeatureSet& features) {
@@ -96,7 +96,7 @@ std::vector<PointMatch> growConstellation(const SearchModel& model, const Candid
     const Eigen::Vector2d uv = camera.project(p);
     for (size_t i = 0; i < corners.size(); ++i) {
       const double distance = (corners[i].uv - uv).norm();
-      if (distance > kReach) continue;
+      if (distance > kMaxCornerDistance) continue;
       const int agreeing = agreeingEdges(model, candidate, camera, int(m), corners[i], features, visible);
       if (agreeing >= 2) pairs.push_back({agreeing, distance, int(m), int(i)});
     }

@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kSurest = 12;  // log-odds of one pose against another
+constexpr double kMaxContestLogOdds = 12;  // log-odds of one pose against another
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::vector<double> sharesOf(const std::vector<std::vector<double>>& log_odds) {
   for (size_t i = 0; i < log_odds.size(); ++i) {
     double against = 1;
     for (size_t j = 0; j < log_odds.size(); ++j)
-      if (j != i) against += std::exp(-std::clamp(log_odds[i][j], -kSurest, kSurest));
+      if (j != i) against += std::exp(-std::clamp(log_odds[i][j], -kMaxContestLogOdds, kMaxContestLogOdds));
     shares.push_back(1 / against);
     total += shares.back();
   }

@@ -6,11 +6,11 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kInside = 5.0;   // where edges that cross the outline are looked for, inwards of it [px]
-constexpr double kBeyond = 4.0;   // how far such an edge must get beyond the outline [px]
-constexpr int kReach = 18;        // edge points followed along its trace
-constexpr double kAcross = 0.85;  // largest |cos| between it and the outline
-constexpr double kSide = 10.0;    // beyond the outline it may have moved this far along it [px]
+constexpr double kInside = 5.0;       // where edges that cross the outline are looked for, inwards of it [px]
+constexpr double kMinCrossing = 4.0;  // how far such an edge must get beyond the outline [px]
+constexpr int kTracePoints = 18;      // edge points followed along its trace
+constexpr double kMaxAlong = 0.85;    // largest |cos| between it and the outline
+constexpr double kSide = 10.0;        // beyond the outline it may have moved this far along it [px]
 
 }  // namespace
 
@@ -30,16 +30,16 @@ void crossingTerms(const SearchImage& image, Candidate* candidate) {
       if (index < 0) continue;
       const EdgePoint& p = points[size_t(index)];
       const Eigen::Vector2d normal = p.normal.cast<double>();
-      if (std::abs(normal.dot(inward)) > kAcross) continue;  // runs along the outline
+      if (std::abs(normal.dot(inward)) > kMaxAlong) continue;  // runs along the outline
 
       const EdgeTrace& trace = image.features.traces[size_t(image.trace_of_point[size_t(index)])];
-      const int first = std::max(trace.first, index - kReach);
-      const int last = std::min(trace.first + trace.count - 1, index + kReach);
+      const int first = std::max(trace.first, index - kTracePoints);
+      const int last = std::min(trace.first + trace.count - 1, index + kTracePoints);
 
       bool through = false;
       for (int i : {first, last}) {
         const Eigen::Vector2d d = points[size_t(i)].uv.cast<double>() - s.uv;
-        through = through || (d.dot(inward) < -kBeyond && std::abs(d.dot(s.direction)) < kSide);
+        through = through || (d.dot(inward) < -kMinCrossing && std::abs(d.dot(s.direction)) < kSide);
       }
       if (!through) continue;
       ++crossed;

@@ -13,7 +13,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kSurest = 7;  // log-odds
+constexpr double kMaxLogOdds = 7;  // log-odds
 
 }  // namespace
 
@@ -33,7 +33,7 @@ double DecisionWeights::logOdds(double log_odds, const Lead& ahead) const {
 }
 
 double DecisionWeights::probability(double log_odds, const Lead& ahead) const {
-  return logistic(std::min(kSurest, logOdds(log_odds, ahead)));
+  return logistic(std::min(kMaxLogOdds, logOdds(log_odds, ahead)));
 }
 
 void DecisionWeights::check() const {

@@ -17,8 +17,8 @@ constexpr size_t kMostJudged = 100;  // candidates looked at again
 constexpr size_t kCompared = 10;     // of the best candidates tell which size resolves the contours better
 constexpr double kLikely = 0;        // log-odds, at either size: what is wrong at both tells nothing
 constexpr double kClear = 3;         // log-odds: surer is no better resolved
-constexpr double kResolved = 400;    // of a part's diameter: larger images tell no more [px]
-constexpr double kSmall = 1.25;      // times min_size: parts smaller than that are searched for again
+constexpr double kResolvedDiameter = 400;  // of a part's diameter: larger images tell no more [px]
+constexpr double kSmall = 1.25;            // times min_size: parts smaller than that are searched for again
 
 // The chosen candidates with their first rivals, the best ranks first.
 std::vector<int> worthAnotherLook(const std::vector<Candidate>& candidates,
@@ -72,7 +72,7 @@ bool unresolved(const SearchTask& task, const std::vector<Candidate>& candidates
     logs += candidate.probability * std::log(size);
     weights += candidate.probability;
   }
-  return weights > 0 && logs / weights < std::log(kResolved);
+  return weights > 0 && logs / weights < std::log(kResolvedDiameter);
 }
 
 // The models whose parts the task's image may show smaller than `size` [px].

@@ -12,7 +12,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kMinSegment = 14.0;  // shortest segment that fixes roll and scale well enough [px]
-constexpr int kPerPlace = 24;         // flat candidates
+constexpr int kFlatPerPlace = 24;     // flat candidates
 // Flat evidence a candidate must have collected after 4, 8 and all samples, in map units.
 constexpr int kAfter4 = int(-1.5f * kEvidenceUnit), kAfter8 = int(0.0f * kEvidenceUnit);
 constexpr int kAfterAll = int(6.0f * kEvidenceUnit);
@@ -40,7 +40,7 @@ struct FlatCandidate {
 // The best flat candidates of every place.
 struct FlatCandidates {
   const SearchImage& image;
-  BestOfPlaces<FlatCandidate> best{image.camera.width, image.camera.height, kPerPlace};
+  BestOfPlaces<FlatCandidate> best{image.camera.width, image.camera.height, kFlatPerPlace};
 
   FlatCandidates emptied() const { return {image}; }
   void add(FlatCandidates&& other) { best.add(std::move(other.best)); }

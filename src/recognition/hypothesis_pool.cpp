@@ -12,7 +12,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr int kPerPlace = 40;
-constexpr float kMinEvidence = 4.0f;  // nats: below, nothing in the image speaks for the pose
+constexpr float kMinHypothesisEvidence = 4.0f;  // nats: below, nothing in the image speaks for the pose
 
 // Numbers that tell a pose from any other, in an order of their own.
 auto numbers(const Rigid3& pose) {
@@ -61,7 +61,7 @@ void HypothesisPool::offer(const Rigid3& pose, GroupingKind kind, const Evidence
   Hypothesis h;
   h.camera_from_object = model_.canonical(pose, &h.view);
   const CoarseScore score = scorePose(model_.coarse(h.view), h.camera_from_object, camera_, map);
-  if (score.evidence < kMinEvidence || score.in_frame < options_.min_in_frame) return;
+  if (score.evidence < kMinHypothesisEvidence || score.in_frame < options_.min_in_frame) return;
   h.evidence = score.evidence;
   h.in_frame = score.in_frame;
   h.kind = kind;

@@ -13,8 +13,9 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kHopeless = 0.02, kSure = 0.95;  // probabilities between which a candidate is doubtful
-constexpr size_t kMostTried = 10;                 // doubtful candidates of an image
+constexpr double kDoubtfulFrom = 0.02,
+                 kDoubtfulTo = 0.95;  // probabilities between which a candidate is doubtful
+constexpr size_t kMostTried = 10;     // doubtful candidates of an image
 constexpr size_t kSides = 8;
 constexpr double kTilt = 8 * M_PI / 180;
 constexpr double kGain = 0.15;  // of probability, for which a candidate gives way
@@ -23,7 +24,8 @@ constexpr double kGain = 0.15;  // of probability, for which a candidate gives w
 std::vector<size_t> doubtful(const std::vector<Candidate>& candidates) {
   std::vector<size_t> order;
   for (size_t i = 0; i < candidates.size(); ++i)
-    if (candidates[i].probability >= kHopeless && candidates[i].probability <= kSure) order.push_back(i);
+    if (candidates[i].probability >= kDoubtfulFrom && candidates[i].probability <= kDoubtfulTo)
+      order.push_back(i);
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return candidates[a].probability > candidates[b].probability; });
   if (order.size() > kMostTried) order.resize(kMostTried);

@@ -12,7 +12,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr size_t kMostSegments = 600;  // tried as edges of a part
-constexpr double kSurelyRight = 0.9;   // only such objects explain features away during the search
+constexpr double kExplainsAway = 0.9;  // only such objects explain features away during the search
 
 // A flag per segment: no surely right explanation claims it.
 std::vector<char> unexplainedSegments(const FeatureSet& features, const std::vector<Candidate>& candidates,
@@ -20,7 +20,7 @@ std::vector<char> unexplainedSegments(const FeatureSet& features, const std::vec
   std::vector<int> claimed;
   for (const Explanation& explanation : chosen) {
     const Candidate& candidate = candidates[explanation.candidate];
-    if (candidate.probability < kSurelyRight) continue;
+    if (candidate.probability < kExplainsAway) continue;
     claimed.insert(claimed.end(), candidate.claimed.begin(), candidate.claimed.end());
   }
   const std::vector<char> explained = explainedPoints(features, claimed);

@@ -10,7 +10,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kSurelyRight = 0.9;     // from this probability an object hides what is behind it
+constexpr double kHides = 0.9;           // from this probability an object hides what is behind it
 constexpr double kWorthExcusing = 0.02;  // probability below which hidden parts do not save a candidate
 constexpr double kThickness = 0.002;     // nearer together than this, one does not hide the other [m]
 
@@ -49,8 +49,7 @@ std::vector<Candidate> excuseHidden(const SearchTask& task, Explained all, Stage
   return log->timed("hidden parts", [&](StageReport* report) {
     std::vector<int> sure;
     for (const Explanation& explanation : all.chosen)
-      if (candidates[explanation.candidate].probability >= kSurelyRight)
-        sure.push_back(explanation.candidate);
+      if (candidates[explanation.candidate].probability >= kHides) sure.push_back(explanation.candidate);
 
     // Every object judges by the candidates as they were, whatever the order.
     std::vector<std::optional<Candidate>> again(candidates.size());

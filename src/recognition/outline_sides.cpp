@@ -11,9 +11,9 @@ namespace {
 constexpr int kCells = 200;  // of a grid, along the object's diameter
 constexpr int kGap = 9;      // gaps between crests below this are closed [cells]
 // Shares of the object's diameter.
-constexpr double kShortest = 0.3;  // side: longer than what is straight of a circle
-constexpr double kCrests = 0.008;  // the outline departs so far from it
-constexpr double kBeside = 0.015;  // samples so near to it are its own
+constexpr double kShortest = 0.3;      // side: longer than what is straight of a circle
+constexpr double kCrests = 0.008;      // the outline departs so far from it
+constexpr double kOwnSamples = 0.015;  // samples so near to it are its own
 
 // The cells that samples lie in, and those between neighbours.
 cv::Mat coveredCells(const FlatView& flat, double cell) {
@@ -56,7 +56,7 @@ std::vector<BaseEdge> outlineSides(const FlatView& flat, double diameter) {
     for (size_t i = 0; i < corners.size(); ++i) {
       const Eigen::Vector2d a = place(corners[i]), b = place(corners[(i + 1) % corners.size()]);
       if ((b - a).norm() < kShortest * diameter) continue;
-      sides.push_back({a, b, ownSamples(a, b, flat, kBeside * diameter)});
+      sides.push_back({a, b, ownSamples(a, b, flat, kOwnSamples * diameter)});
     }
   }
   return sides;

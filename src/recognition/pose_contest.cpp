@@ -10,23 +10,23 @@ namespace monocular_eye_hand {
 namespace {
 
 // Lines that both draw.
-constexpr double kAcross = 3, kAlong = 4.5;  // apart, measured from a sample [px]
-constexpr double kSameWay = 0.85;            // |cos| of the angle between
+constexpr double kMaxAcross = 3, kMaxAlongEdge = 4.5;  // apart, measured from a sample [px]
+constexpr double kSameWay = 0.85;                      // |cos| of the angle between
 
 // Lines of one's own. The shares are drawn towards what is usual, as if so many more samples were there.
-constexpr double kPrecise = 0.75;   // from its edge [px]
-constexpr double kParallel = 0.96;  // |cos| of the angle to its edge
+constexpr double kAnswersWithin = 0.75;  // from its edge [px]
+constexpr double kMinEdgeCosine = 0.96;  // |cos| of the angle to its edge
 constexpr double kUsualPrecise = 0.25;
 constexpr double kPriorPrecise = 4, kPriorContrast = 3;  // [samples]
 constexpr double kMostStrength = 6;                      // standard deviations of the noise
 constexpr double kLeastNoise = 0.7;                      // of the 8 bits [grey levels]
 
 // Faces.
-constexpr size_t kLeastPixels = 40;
+constexpr size_t kMinTurnedPixels = 40;
 constexpr float kOtherWay = 0.94f;    // cos of the angle between faces that look different ways
 constexpr double kLeastResidual = 2;  // [grey levels]
 constexpr double kPriorArea = 20;     // [px^2]
-constexpr double kClear = 5;          // from which on more of the same says less
+constexpr double kManySamples = 5;    // from which on more of the same says less
 
 // Grey of the rectified image between its pixels; `beside` tells what lies outside.
 double greyAt(const SearchImage& image, const Eigen::Vector2d& uv, double beside) {
@@ -58,7 +58,7 @@ double largestStep(const SearchImage& image, const SeenSample& s, double from, d
 bool drawnBy(const std::vector<SeenSample>& contour, const SeenSample& s) {
   return std::any_of(contour.begin(), contour.end(), [&](const SeenSample& other) {
     const Eigen::Vector2d apart = other.uv - s.uv;
-    return std::abs(apart.dot(s.direction)) < kAlong && std::abs(apart.dot(s.normal())) < kAcross &&
+    return std::abs(apart.dot(s.direction)) < kMaxAlongEdge && std::abs(apart.dot(s.normal())) < kMaxAcross &&
            std::abs(other.direction.dot(s.direction)) > kSameWay;
   });
 }
@@ -66,8 +66,8 @@ bool drawnBy(const std::vector<SeenSample>& contour, const SeenSample& s) {
 bool preciselyAnswered(const SearchImage& image, const SeenSample& s) {
   if (s.edge_point < 0) return false;
   const EdgePoint& point = image.raster.point(s.edge_point);
-  return std::abs(s.normal().dot(point.uv.cast<double>() - s.uv)) <= kPrecise &&
-         std::abs(s.normal().dot(point.normal.cast<double>())) >= kParallel;
+  return std::abs(s.normal().dot(point.uv.cast<double>() - s.uv)) <= kAnswersWithin &&
+         std::abs(s.normal().dot(point.normal.cast<double>())) >= kMinEdgeCosine;
 }
 
 // How the image answers the lines that one pose draws and the other does not.
@@ -99,7 +99,7 @@ OwnLines ownLines(const SearchImage& image, const Candidate& candidate, const Ca
 
 // How much less of the greys `a` leaves unexplained than `b`, where the two look different ways.
 double shadingContest(const LitFaces& a, const LitFaces& b) {
-  if (std::min(a.by_pixel.size(), b.by_pixel.size()) < kLeastPixels) return 0;
+  if (std::min(a.by_pixel.size(), b.by_pixel.size()) < kMinTurnedPixels) return 0;
   const double scale = std::max(kLeastResidual, 1.4826 * std::min(a.light.residual, b.light.residual));
   const auto misfit = [scale](const LitFaces& faces, const ShadedPixel& pixel) {
     const double residual = (pixel.grey - faces.light.grey(pixel.normal)) / scale;
@@ -115,7 +115,7 @@ double shadingContest(const LitFaces& a, const LitFaces& b) {
   }
   const double area = a.step * a.step;
   const double standardised = less * area / std::sqrt(pixels * area + kPriorArea);
-  return std::copysign(std::log1p(std::abs(standardised) / kClear), standardised);
+  return std::copysign(std::log1p(std::abs(standardised) / kManySamples), standardised);
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ LitFaces litFaces(const ObjectModel& model, const SearchImage& image, const Cand
     pixels.push_back({normalInCamera(model, candidate, p), grey});
     faces.by_pixel.emplace(std::make_pair(p.v, p.u), pixels.back());
   }
-  if (pixels.size() >= kLeastPixels) faces.light = fitLight(pixels);
+  if (pixels.size() >= kMinTurnedPixels) faces.light = fitLight(pixels);
   return faces;
 }
 

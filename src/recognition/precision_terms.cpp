@@ -10,7 +10,7 @@ namespace {
 constexpr double kPrecise = 0.5;       // an edge this near answers a sample precisely [px]
 constexpr double kParallel = 0.98;     // ... and so parallel to the drawn line: |cos| of the angle between
 constexpr double kFeatureShare = 0.5;  // of a feature's samples answered precisely: so is the feature
-constexpr int kShortest = 3;           // samples of a feature that is looked at
+constexpr int kMinSamples = 3;         // samples of a feature that is looked at
 
 struct Tally {
   int samples = 0, precise = 0;
@@ -39,7 +39,7 @@ void precisionTerms(const SearchImage& image, Candidate* candidate) {
   terms.offset = offsets.empty() ? kHitRange : median(&offsets);
   for (const auto& [index, feature] : features)
     terms.precise_features +=
-        feature.samples >= kShortest && feature.precise >= kFeatureShare * feature.samples;
+        feature.samples >= kMinSamples && feature.precise >= kFeatureShare * feature.samples;
 }
 
 }  // namespace monocular_eye_hand

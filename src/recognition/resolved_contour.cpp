@@ -8,11 +8,11 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kOneLine = 2.5;   // lines nearer than this are one in the image [px]
-constexpr double kBeside = 3.0;    // a sample stands for so much of its line to either side [px]
-constexpr double kParallel = 0.9;  // ... when they run the same way: |cos| of the angle between
-constexpr double kCrowd = 10;      // so near to a ring other lines crowd it [px]
-constexpr double kOutline = 10;    // strength of a silhouette: above any dihedral [rad]
+constexpr double kOneLine = 2.5;             // lines nearer than this are one in the image [px]
+constexpr double kBeside = 3.0;              // a sample stands for so much of its line to either side [px]
+constexpr double kMinNeighbourCosine = 0.9;  // ... when they run the same way: |cos| of the angle between
+constexpr double kCrowd = 10;                // so near to a ring other lines crowd it [px]
+constexpr double kOutline = 10;              // strength of a silhouette: above any dihedral [rad]
 
 double strength(const ObjectModel& model, const SeenSample& s) {
   return s.silhouette ? kOutline : dihedralOf(model, s.feature);
@@ -24,7 +24,7 @@ struct Offset {
 };
 // Nothing between samples of one feature, and of lines that run in other directions.
 std::optional<Offset> offsetOfParallels(const SeenSample& from, const SeenSample& to) {
-  if (from.feature == to.feature || std::abs(from.direction.dot(to.direction)) < kParallel)
+  if (from.feature == to.feature || std::abs(from.direction.dot(to.direction)) < kMinNeighbourCosine)
     return std::nullopt;
   const Eigen::Vector2d apart = to.uv - from.uv;
   return Offset{from.direction.dot(apart), from.normal().dot(apart)};

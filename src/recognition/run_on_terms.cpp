@@ -8,13 +8,13 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kShortestEdge = 12;  // in the image, of those whose ends are looked at [px]
-constexpr double kNearEnd = 18;       // samples so near to an end tell whether the edge is there [px]
-constexpr double kFirstLook = 4;      // beyond the end [px]
-constexpr double kLookStep = 2;       // between looks [px]
-constexpr double kSameLine = 0.94;    // |cos| of the angle between lines that run the same way
-constexpr double kRunsOn = 0.95;      // ... between an edge and the edge that runs on from it
-constexpr double kByChance = 0.25;    // share of the looks that find an edge by chance
+constexpr double kShortestEdge = 12;      // in the image, of those whose ends are looked at [px]
+constexpr double kNearEnd = 18;           // samples so near to an end tell whether the edge is there [px]
+constexpr double kFirstLook = 4;          // beyond the end [px]
+constexpr double kLookStep = 2;           // between looks [px]
+constexpr double kSameLineCosine = 0.94;  // |cos| of the angle between lines that run the same way
+constexpr double kRunsOn = 0.95;          // ... between an edge and the edge that runs on from it
+constexpr double kByChance = 0.25;        // share of the looks that find an edge by chance
 
 using Samples = std::vector<const SeenSample*>;
 
@@ -23,7 +23,7 @@ bool drawn(const std::vector<SeenSample>& contour, const Eigen::Vector2d& uv,
            const Eigen::Vector2d& direction, int except_feature) {
   constexpr double kNear = 5;  // [px]
   return std::any_of(contour.begin(), contour.end(), [&](const SeenSample& s) {
-    return s.feature != except_feature && std::abs(s.direction.dot(direction)) > kSameLine &&
+    return s.feature != except_feature && std::abs(s.direction.dot(direction)) > kSameLineCosine &&
            (s.uv - uv).squaredNorm() < kNear * kNear;
   });
 }
@@ -39,17 +39,17 @@ bool reachesItsEnd(const Samples& samples, const Eigen::Vector2d& end) {
   return near >= 2 && hits * 2 >= near;
 }
 
-// Looks beyond the end of an edge, and those that find an edge that runs on.
-struct Looks {
+// RunOns beyond the end of an edge, and those that find an edge that runs on.
+struct RunOns {
   int looked = 0, on = 0;
   // Share that runs on, less what chance gives.
   double share() const { return std::max(0.0, (double(on) / looked - kByChance) / (1 - kByChance)); }
 };
 
-Looks lookBeyond(const SearchImage& image, const std::vector<SeenSample>& contour, int edge,
-                 const Eigen::Vector2d& end, const Eigen::Vector2d& outward, double reach) {
+RunOns lookBeyond(const SearchImage& image, const std::vector<SeenSample>& contour, int edge,
+                  const Eigen::Vector2d& end, const Eigen::Vector2d& outward, double reach) {
   const Eigen::Vector2d normal(-outward.y(), outward.x());
-  Looks looks;
+  RunOns looks;
   for (double d = kFirstLook; d <= reach; d += kLookStep) {
     const Eigen::Vector2d uv = end + d * outward;
     if (!image.domain.contains(uv.x(), uv.y()) || drawn(contour, uv, outward, edge)) break;
@@ -83,7 +83,7 @@ void continuationTerm(const ObjectModel& model, const SearchImage& image, Candid
     for (size_t k = 0; k < 2; ++k) {
       if (!reachesItsEnd(samples, ends[k])) continue;
       const Eigen::Vector2d outward = (ends[k] - ends[1 - k]) / length;
-      const Looks looks = lookBeyond(image, candidate->contour, e, ends[k], outward, reach);
+      const RunOns looks = lookBeyond(image, candidate->contour, e, ends[k], outward, reach);
       if (looks.looked < 2) continue;
       ++tested;
       running += looks.share();

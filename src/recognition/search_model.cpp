@@ -19,8 +19,8 @@ constexpr size_t kMostCompared = 2000;  // vertices that tell whether two poses 
 constexpr int kLookupSide = 24;         // cells along one side of a cube face
 constexpr double kCoarseSize =
     160;  // a part's diameter where its lines are told apart for the coarse score [px]
-constexpr double kSquare = 0.15;  // sides that differ by less of the larger one are taken for each other
-constexpr double kBeside = 0.3;   // eyes this near to one that sees a grouping may see it, too [rad]
+constexpr double kSquare = 0.15;     // sides that differ by less of the larger one are taken for each other
+constexpr double kNearbyEyes = 0.3;  // eyes this near to one that sees a grouping may see it, too [rad]
 constexpr double kSameRotation = 0.06;  // rotations nearer than this are one [rad]
 
 int lookupCell(const Eigen::Vector3d& d) {
@@ -245,10 +245,10 @@ void SearchModel::buildShown() {
   };
   const auto beside = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     if (symmetries.sphere) return true;
-    if (!symmetries.axis) return a.dot(b) >= std::cos(kBeside);
+    if (!symmetries.axis) return a.dot(b) >= std::cos(kNearbyEyes);
     const Eigen::Vector3d& axis = symmetries.axis->direction;  // only the tilt counts
     const auto tilt = [&](const Eigen::Vector3d& d) { return std::acos(std::clamp(axis.dot(d), -1.0, 1.0)); };
-    return std::abs(tilt(a) - tilt(b)) <= kBeside;
+    return std::abs(tilt(a) - tilt(b)) <= kNearbyEyes;
   };
 
   // Eyes of the lookup beside each that `seen` may name: with a symmetry's inverse.

@@ -14,13 +14,13 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr size_t kMostContestants = 6;
-constexpr double kWorthContest = 0.05;  // probability of the likeliest, else nothing is reported anyway
-constexpr double kFarBehind = 4;        // log-odds behind the likeliest: no contest
-constexpr double kSamePlace = 0.35;     // of the diameter between the centres
-constexpr double kOtherPose = 10;       // nearer poses are taken for one [px]
-constexpr double kResolved = 2.5;       // ... and those whose surfaces lie nowhere farther apart [px]
-constexpr double kNoRival = -1e3;       // log-odds behind everything
-constexpr int kMostRays = 2500;         // of one contestant whose faces are looked at
+constexpr double kWorthContest = 0.05;     // probability of the likeliest, else nothing is reported anyway
+constexpr double kFarBehind = 4;           // log-odds behind the likeliest: no contest
+constexpr double kSamePlace = 0.35;        // of the diameter between the centres
+constexpr double kOtherPoseDistance = 10;  // nearer poses are taken for one [px]
+constexpr double kResolved = 2.5;          // ... and those whose surfaces lie nowhere farther apart [px]
+constexpr double kNoRival = -1e3;          // log-odds behind everything
+constexpr int kMostRays = 2500;            // of one contestant whose faces are looked at
 
 // The contestant whose pose a candidate has, or which it is; -1: none.
 int contestantOf(const SearchTask& task, const std::vector<Candidate>& candidates,
@@ -31,7 +31,7 @@ int contestantOf(const SearchTask& task, const std::vector<Candidate>& candidate
     const Candidate& contestant = candidates[size_t(c)];
     if (contestant.object != one.object) continue;
     const Rigid3 &known = contestant.pose.camera_from_object, &pose = one.pose.camera_from_object;
-    if (model.poseDistance(task.image.camera, known, pose) < kOtherPose ||
+    if (model.poseDistance(task.image.camera, known, pose) < kOtherPoseDistance ||
         model.coincide(task.image.camera, known, pose, kResolved))
       return c;
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kResting = 0.001;  // less far from the table than this, a pose means "on it" [m]
 
-double lowestPoint(const SceneObject& object) {
+double lowestVertex(const SceneObject& object) {
   double z = 1e9;
   for (const Eigen::Vector3d& p : object.mesh->vertices) z = std::min(z, (object.world_from_object * p).z());
   return z;
@@ -34,7 +34,7 @@ SceneObject placed(const CellObject& wanted, const std::vector<NamedMesh>& model
   }
   SceneObject object{wanted.name, int(known - models.begin()), known->mesh, wanted.pose.transform(),
                      wanted.material.material()};
-  const double z = lowestPoint(object);
+  const double z = lowestVertex(object);
   if (z < -kResting)
     throw BadInput(where + ".pose: '" + wanted.name + "' sinks " + std::to_string(-z * 1000) +
                    " mm into the table; raise pose.z");
@@ -68,7 +68,7 @@ CellScene makeCellScene(const CellOptions& options, const std::vector<NamedMesh>
 
   for (size_t k = 0; k < options.objects.size(); ++k) {
     SceneObject object = placed(options.objects[k], models, "objects[" + std::to_string(k) + "]");
-    if (const double z = lowestPoint(object); z < kResting) {
+    if (const double z = lowestVertex(object); z < kResting) {
       object.world_from_object.translation.z() -= z;
     } else {
       std::vector<const SceneObject*> others;

@@ -11,9 +11,6 @@ namespace {
 constexpr float kSmooth = 0.97f;  // cosine between normals of one smooth surface in neighbouring pixels
 constexpr float kStep = 0.0004f;  // step between neighbouring pixels that is an edge [m]
 constexpr int kAxis = 4;          // samples per pixel along each axis
-constexpr float kNear = 0.01f;
-constexpr float kLift = 2e-5f;
-constexpr int kLanes = InstanceWorld::kLanes;
 
 }  // namespace
 
@@ -42,12 +39,12 @@ void FastRenderer::sampleEdges(int first_row, int last_row) {
 float FastRenderer::samplePixel(int x, int y) const {
   InstanceWorld::Rays rays;
   InstanceWorld::Hits hits;
-  Eigen::Vector3f directions[kLanes];
+  Eigen::Vector3f directions[kFastLanes];
   float sum = 0;
   const uint32_t key = mixBits(mixBits(key_, uint32_t(x)), uint32_t(y));
 
-  for (int first = 0; first < kAxis * kAxis; first += kLanes) {
-    for (int k = 0; k < kLanes; ++k) {
+  for (int first = 0; first < kAxis * kAxis; first += kFastLanes) {
+    for (int k = 0; k < kFastLanes; ++k) {
       const int sample = first + k;
       const uint32_t bits = mixBits(key, uint32_t(sample));
       const float s = (float(sample % kAxis) + float(unitInterval(bits))) / kAxis;
@@ -58,8 +55,8 @@ float FastRenderer::samplePixel(int x, int y) const {
       rays.set(k, origin_, d, std::numeric_limits<float>::infinity());
     }
 
-    world_.cast(rays, kNear, &hits);
-    for (int k = 0; k < kLanes; ++k) {
+    world_.cast(rays, kFastNear, &hits);
+    for (int k = 0; k < kFastLanes; ++k) {
       if (hits.id[k] < 0) {
         sum += look_.background();
         continue;
@@ -100,15 +97,15 @@ LightShares FastRenderer::borrowedShares(int x, int y, const SurfacePoint& point
     }
 
     InstanceWorld::Rays rays;
-    std::fill(rays.valid, rays.valid + kLanes, 0);
-    const Eigen::Vector3f p = point.p + kLift * point.geometric;
+    std::fill(rays.valid, rays.valid + kFastLanes, 0);
+    const Eigen::Vector3f p = point.p + kRayLift * point.geometric;
     const Eigen::Vector2f square((float(sample % kAxis) + 0.5f) / kAxis,
                                  (float(sample / kAxis) + 0.5f) / kAxis);
     const Eigen::Vector3f to_light = look_.toLight(light, p, square);
     rays.valid[0] = -1;
     rays.set(0, p, to_light, 1);
 
-    bool blocked[kLanes];
+    bool blocked[kFastLanes];
     world_.blocked(rays, blocked);
     shares[size_t(light)] = blocked[0] ? 0.0f : 1.0f;
   }

@@ -8,12 +8,7 @@
 #include "simulation/parallel_rows.h"
 
 namespace monocular_eye_hand {
-namespace {
-
-constexpr float kNear = 0.01f;  // nothing is seen nearer to the lens [m]
-constexpr int kLanes = InstanceWorld::kLanes;
-
-}  // namespace
+namespace {}  // namespace
 
 FastRenderer::FastRenderer(const Camera& camera, const InstanceWorld& world, const FastLook& look,
                            bool shadows, int threads)
@@ -54,16 +49,16 @@ void FastRenderer::findHits(int first_row, int last_row) {
   InstanceWorld::Rays rays;
   InstanceWorld::Hits hits;
   for (int y = first_row; y < last_row; ++y)
-    for (int x = 0; x < width_; x += kLanes) {
-      for (int k = 0; k < kLanes; ++k) {
+    for (int x = 0; x < width_; x += kFastLanes) {
+      for (int k = 0; k < kFastLanes; ++k) {
         rays.valid[k] = x + k < width_ ? -1 : 0;
         const Eigen::Vector2f r = centreRay(std::min(x + k, width_ - 1), y);
         const Eigen::Vector3f d = rayInWorld(r.x(), r.y());
         rays.set(k, origin_, d, std::numeric_limits<float>::infinity());
       }
 
-      world_.cast(rays, kNear, &hits);
-      for (int k = 0; k < kLanes && x + k < width_; ++k) {
+      world_.cast(rays, kFastNear, &hits);
+      for (int k = 0; k < kFastLanes && x + k < width_; ++k) {
         PixelHit& out = hit(x + k, y);
         out.body = hits.id[k];
         out.depth = out.body >= 0 ? hits.distance[k] : 0;

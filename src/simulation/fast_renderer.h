@@ -9,6 +9,9 @@
 
 namespace monocular_eye_hand {
 
+inline constexpr int kFastLanes = InstanceWorld::kLanes;  // rays that are cast together
+inline constexpr float kFastNear = 0.01f;                 // nothing is seen nearer to the lens [m]
+
 /// One picture of a world of bodies, in passes over bands of rows: first hits, shadows, their smoothing,
 /// shading, finer sampling of pixels where surfaces meet.
 class FastRenderer {

@@ -9,9 +9,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr float kLift = 2e-5f;  // shadow rays start this far above the surface [m]
-constexpr int kLanes = InstanceWorld::kLanes;
-
 // The disc is cut into 4 x 4 cells. A pixel takes one of each quarter, its neighbours the others, so that any
 // 2 x 2 pixels see all sixteen. Where in the cell: one of sixteen places.
 Eigen::Vector2f discCell(int x, int y, int sample, uint32_t bits) {
@@ -31,7 +28,7 @@ void FastRenderer::castShadows(int first_row, int last_row) {
   for (int light = 0; light < look_.lights(); ++light)
     for (int y = first_row; y < last_row; ++y) {
       std::fill_n(lit_[size_t(light)][y], width_, uchar(0));
-      for (int x = 0; x < width_; x += kLanes) shadowPixels(x, y, light, 0, 1, all.data());
+      for (int x = 0; x < width_; x += kFastLanes) shadowPixels(x, y, light, 0, 1, all.data());
     }
 }
 
@@ -66,7 +63,7 @@ void FastRenderer::castMoreShadows(int first_row, int last_row) {
       uchar* lit = lit_[size_t(light)][y];
       for (int x = 0; x < width_; ++x)
         if (!mixed[x]) lit[x] = uchar(4 * lit[x]);
-      for (int x = 0; x < width_; x += kLanes) shadowPixels(x, y, light, 1, 4, mixed);
+      for (int x = 0; x < width_; x += kFastLanes) shadowPixels(x, y, light, 1, 4, mixed);
     }
 }
 
@@ -75,7 +72,7 @@ void FastRenderer::shadowPixels(int x, int y, int light, int first_sample, int l
                                 const uchar* wanted) {
   InstanceWorld::Rays rays;
   bool any = false;
-  for (int k = 0; k < kLanes; ++k) {
+  for (int k = 0; k < kFastLanes; ++k) {
     rays.valid[k] = 0;
     if (x + k >= width_ || !wanted[x + k] || hit(x + k, y).body < 0) continue;
     rays.valid[k] = look_.faces(light, surface(hit(x + k, y))) ? -1 : 0;
@@ -83,7 +80,7 @@ void FastRenderer::shadowPixels(int x, int y, int light, int first_sample, int l
   }
 
   for (int step = first_sample; any && step < last_sample; ++step) {
-    for (int k = 0; k < kLanes; ++k) {
+    for (int k = 0; k < kFastLanes; ++k) {
       if (!rays.valid[k]) continue;
       const PixelHit& here = hit(x + k, y);
       // Which quarter comes first differs between neighbours, too: together they see the whole disc.
@@ -95,7 +92,7 @@ void FastRenderer::shadowPixels(int x, int y, int light, int first_sample, int l
       const float slope = here.geometric.dot(d);
       float depth = std::abs(slope) > 1e-6f ? here.geometric.dot(here.p - origin_) / slope : here.depth;
       depth = std::clamp(depth, 0.98f * here.depth, 1.02f * here.depth);
-      const Eigen::Vector3f p = origin_ + depth * d + kLift * here.geometric;
+      const Eigen::Vector3f p = origin_ + depth * d + kRayLift * here.geometric;
 
       const uint32_t bits = mixBits(key_ + uint32_t(light) + uint32_t(x + k) * 0x9e3779b9u +
                                     uint32_t(4 * y + sample) * 0x85ebca6bu);
@@ -103,9 +100,9 @@ void FastRenderer::shadowPixels(int x, int y, int light, int first_sample, int l
       rays.set(k, p, to_light, 1);
     }
 
-    bool blocked[kLanes] = {};
+    bool blocked[kFastLanes] = {};
     world_.blocked(rays, blocked);
-    for (int k = 0; k < kLanes; ++k)
+    for (int k = 0; k < kFastLanes; ++k)
       if (rays.valid[k] && !blocked[k]) ++lit_[size_t(light)](y, x + k);
   }
 }

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <map>
 
+#include "monocular_eye_hand/mesh/ray_tracer.h"
+
 namespace monocular_eye_hand {
 namespace {
 
-constexpr float kSmoothCosine = 0.94f;  // as in cornerNormals(): below 20 degrees it is a curved surface
-constexpr float kFoldCosine = -0.9f;    // thinner than a blade: no radius fits
-constexpr float kLift = 2e-5f;          // [m]
+constexpr float kRoundedCosine = 0.94f;  // as in cornerNormals(): below 20 degrees it is a curved surface
+constexpr float kFoldCosine = -0.9f;     // thinner than a blade: no radius fits
 
 using Position = std::array<double, 3>;
 
@@ -60,7 +61,7 @@ RoundedEdges::RoundedEdges(const Mesh& mesh, const Rigid3& world_from_mesh, doub
       const Eigen::Vector3f &n = normals[k], &m = normals[size_t(found->second.triangle)];
       const float cosine = n.dot(m);
       open.erase(found);
-      if (!(cosine < kSmoothCosine && cosine > kFoldCosine) || a == b) continue;
+      if (!(cosine < kRoundedCosine && cosine > kFoldCosine) || a == b) continue;
 
       Edge edge;
       edge.p = points[size_t(a)];
@@ -83,7 +84,7 @@ RoundedEdges::RoundedEdges(const Mesh& mesh, const Rigid3& world_from_mesh, doub
     for (const int vertex : mesh.triangles[k])
       for (const int edge : at_vertex[size_t(welded[size_t(vertex)])]) {
         const auto& normal = sides[size_t(edge)];
-        if (std::max(normal[0].dot(normals[k]), normal[1].dot(normals[k])) < kSmoothCosine) continue;
+        if (std::max(normal[0].dot(normals[k]), normal[1].dot(normals[k])) < kRoundedCosine) continue;
         if (std::find(near_.begin() + first_.back(), near_.end(), edge) == near_.end()) near_.push_back(edge);
       }
   }
@@ -109,7 +110,7 @@ RoundedEdges::Bend RoundedEdges::bend(uint32_t triangle, const Eigen::Vector3f& 
     out.normal += (1 - relative) * (edge.middle - normal);
     if (relative > nearest) continue;
     nearest = relative;
-    out.origin = foot + 5 * kLift * edge.middle;
+    out.origin = foot + 5 * kRayLift * edge.middle;
   }
   if (out.bent) out.normal.normalize();
   return out;

@@ -10,7 +10,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr float kLift = 2e-5f;  // secondary rays start this far above the surface [m]
 constexpr int kMirrorDimension = 40, kBrushDimension = 41;  // of PixelSampler, beyond those of the lights
 constexpr int kMostLayers = 12;                             // of a translucent object that a ray passes
 constexpr float kGrazing = 0.8f;  // share of Fresnel's rise towards grazing angles that rough surfaces show
@@ -112,8 +111,8 @@ double Shader::lightShare(const Eigen::Vector3f& p, const LightFrame& light,
     const Finish* finish = surfaceOf(hit.id).finish();
     if (!finish || finish->translucency <= 0) return 0;
     share *= std::sqrt(finish->translucency);  // in and out again
-    from += (hit.distance + kLift) * direction;
-    left -= hit.distance + kLift;
+    from += (hit.distance + kRayLift) * direction;
+    left -= hit.distance + kRayLift;
   }
   return 0;
 }
@@ -152,7 +151,7 @@ Shader::Point Shader::pointAt(const Eigen::Vector3f& origin, const Eigen::Vector
   const Eigen::Vector3f at = origin + hit.distance * direction;
   point.n = world_.smoothNormal(hit);
   point.flat = hit.normal;
-  point.p = at + kLift * hit.normal;
+  point.p = at + kRayLift * hit.normal;
   point.to_lights = point.p;
 
   const Material& material = *point.surface->material;
@@ -247,7 +246,7 @@ float Shader::behind(int object, const Eigen::Vector3f& from, const Eigen::Vecto
     if (hit.id == kNothingId) return share * float(scene_.background);
     if (hit.id != object) return share * seen(origin, direction, hit, sampler, sample);
     share *= 1 - float(surfaceOf(object).finish()->layer_loss);
-    origin += (hit.distance + kLift) * direction;
+    origin += (hit.distance + kRayLift) * direction;
   }
   return 0;
 }
@@ -263,7 +262,7 @@ Shader::Sample Shader::radiance(const Eigen::Vector3f& origin, const Eigen::Vect
 
   const Finish* finish = point.surface->finish();
   if (finish && finish->translucency > 0) {
-    const Eigen::Vector3f inside = origin + (hit.distance + kLift) * direction;
+    const Eigen::Vector3f inside = origin + (hit.distance + kRayLift) * direction;
     const double through = finish->translucency * point.bare;
     const double light_behind = behind(hit.id, inside, direction, sampler, sample);
     own += through * (light_behind - own);

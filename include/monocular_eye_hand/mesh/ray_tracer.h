@@ -11,6 +11,9 @@ struct RTCGeometryTy;
 
 namespace monocular_eye_hand {
 
+/// A ray from a point of a surface starts this far above it, or it would hit that surface [m].
+inline constexpr float kRayLift = 2e-5f;
+
 /// Meshes, or placed copies of other tracers, that rays meet: all that this package asks of Embree. Rays are
 /// of single precision, in the frame of the tracer, lengths in units of their direction. The same meshes give
 /// the same hits every time. Const calls are safe from several threads.
