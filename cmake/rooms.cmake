@@ -13,6 +13,7 @@ option(MONOCULAR_EYE_HAND_UNITY_BUILD "Compile the sources of a room in batches"
 function(in_batches target)
   if(MONOCULAR_EYE_HAND_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)  # it takes a source of a batch for a header
   endif()
 endfunction()
 
