@@ -26,6 +26,14 @@ void SupportPlane::check() const {
     throw BadInput("support plane: tolerance = " + std::to_string(tolerance) + " must not be negative [m]");
 }
 
+SupportPlane supportPlane(const Rigid3& camera_from_level, double height, double tolerance) {
+  SupportPlane plane;
+  plane.normal = camera_from_level.rotation.col(2).normalized();
+  plane.offset = plane.normal.dot(camera_from_level.translation) + height;
+  plane.tolerance = tolerance;
+  return plane;
+}
+
 const char* name(Fate fate) {
   switch (fate) {
     case Fate::kAccepted:

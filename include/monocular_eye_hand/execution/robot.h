@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "monocular_eye_hand/arm/gripper_reading.h"
 #include "monocular_eye_hand/planning/trajectory.h"
 
 namespace monocular_eye_hand {
@@ -12,14 +13,6 @@ struct JointReading {
   double stamp = 0;                          ///< of the clock [s]
   JointVector joints = JointVector::Zero();  ///< [rad]
   double speed = 0;                          ///< of the fastest joint [rad/s]
-};
-
-/// Where the fingers were at a moment of the clock.
-struct GripperReading {
-  double stamp = 0;  ///< of the clock [s]
-  double width = 0;  ///< between the pads [m]
-  bool moving = false;
-  bool stalled = false;  ///< something stops them
 };
 
 /// The last that arm and gripper told, and for how long they have been silent since; none: nothing came yet.

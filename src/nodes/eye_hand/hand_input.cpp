@@ -5,6 +5,7 @@
 
 #include "monocular_eye_hand/geometry/seconds_text.h"
 #include "nodes/common/conversion.h"
+#include "nodes/common/gripper_reading.h"
 #include "nodes/common/moment.h"
 #include "nodes/common/names.h"
 #include "nodes/common/optical_frame.h"
@@ -87,7 +88,8 @@ HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_fram
     result.problem = noJointsText(stamp);
   if (!result.problem.empty()) return result;
 
-  result.gripper = grippers_.at(stamp, parameters_.max_joint_age);
+  if (const auto gripper = grippers_.at(stamp, parameters_.max_joint_age))
+    result.gripper = fromMessage(*gripper);
   result.moves = history_.speedAt(stamp, kSpeedSpan, parameters_.max_joint_gap) > parameters_.still;
   const HandPose by_joints = handPose(arm_, joints);
   result.hand.jacobian = by_joints.jacobian;

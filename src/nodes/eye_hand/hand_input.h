@@ -1,5 +1,4 @@
 #pragma once
-#include <monocular_eye_hand/GripperState.h>
 #include <ros/ros.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -8,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "monocular_eye_hand/arm/gripper_reading.h"
 #include "monocular_eye_hand/eye_hand/chain.h"
 #include "nodes/eye_hand/gripper_history.h"
 #include "nodes/eye_hand/joint_history.h"
@@ -18,11 +18,11 @@ namespace monocular_eye_hand {
 /// Where hand and camera were at a stamp.
 struct HandAtStamp {
   HandPose hand;
-  HandEye hand_eye;                     ///< covariance zero: the options' stands in
-  bool moves = false;                   ///< the camera does
-  double table_height = 0;              ///< z of the table's top in base [m]
-  std::optional<GripperState> gripper;  ///< none: it says nothing
-  std::string problem;                  ///< why it is not known; "": it is
+  HandEye hand_eye;                       ///< covariance zero: the options' stands in
+  bool moves = false;                     ///< the camera does
+  double table_height = 0;                ///< z of the table's top in base [m]
+  std::optional<GripperReading> gripper;  ///< none: it says nothing
+  std::string problem;                    ///< why it is not known; "": it is
 };
 
 /// tf and joint_states. tf says where tool0 and the camera are, the joints give the Jacobian and must agree.

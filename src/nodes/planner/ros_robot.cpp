@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "nodes/common/gripper_reading.h"
 #include "nodes/common/names.h"
 #include "nodes/planner/conversion.h"
 
@@ -44,12 +45,7 @@ void RosRobot::onJoints(const sensor_msgs::JointState& message) {
 
 void RosRobot::onGripper(const GripperState& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  GripperReading reading;
-  reading.stamp = message.header.stamp.toSec();
-  reading.width = message.width;
-  reading.moving = message.moving;
-  reading.stalled = message.stalled;
-  gripper_ = reading;
+  gripper_ = fromMessage(message);
   gripper_at_ = Moment::now();
   ++changes_;
   changed_.notify_all();
