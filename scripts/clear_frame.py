@@ -2,10 +2,10 @@
 """Runs launch/demo.launch, lets the arm clear the frame, and compares with the truth of the work cell.
 
 Prints per object: recognised pose against truth, grasp error, plan and motion time, outcome. Writes what the camera saw
-into --out. Exit code 1 when an object was left, dropped or hit, 2 when the task could not be run."""
+into --out. Exit code 1 when an object was left, dropped or hit, 2 when the task could not be run. The program clear_frame
+does the same without ROS."""
 import argparse
 import json
-import math
 import os
 import signal
 import socket
@@ -34,58 +34,14 @@ def free_port():
         return s.getsockname()[1]
 
 
-class Symmetries:
-    """Equal poses of the known objects, from the package's own model_check."""
-
-    def __init__(self, objects_yaml):
-        with tempfile.NamedTemporaryFile(suffix=".json") as out:
-            subprocess.run(["rosrun", "monocular_eye_hand", "model_check", objects_yaml, "--json", out.name],
-                           stdout=subprocess.DEVNULL, check=True)
-            self.models = {model["name"]: model for model in json.load(out)}
-
-    def transforms(self, name):
-        model = self.models[name]
-        discrete = [rigid(s["rotation"], s["translation_m"]) for s in model["equal_pose_transforms"]]
-        if "axis" not in model:
-            return discrete
-        point = numpy.array(model["axis"]["point_m"])
-        turns = [rotation_about(numpy.array(model["axis"]["direction"]), math.radians(k)) for k in range(360)]
-        return [s @ rigid(turn, point - turn @ point) for s in discrete for turn in turns]
+def pose_of(pose):
+    p, q = pose.position, pose.orientation
+    return {"position": [p.x, p.y, p.z], "quaternion": [q.x, q.y, q.z, q.w]}
 
 
-def rigid(rotation, translation):
-    m = numpy.eye(4)
-    m[:3, :3], m[:3, 3] = rotation, translation
-    return m
-
-
-def rotation_about(axis, angle):
-    k = numpy.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
-    return numpy.eye(3) + math.sin(angle) * k + (1 - math.cos(angle)) * (k @ k)
-
-
-def matrix(pose):
-    q = numpy.array([pose.orientation.x, pose.orientation.y, pose.orientation.z, pose.orientation.w])
-    x, y, z, w = q / numpy.linalg.norm(q)
-    m = numpy.eye(4)
-    m[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                 [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                 [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
-    m[:3, 3] = [pose.position.x, pose.position.y, pose.position.z]
-    return m
-
-
-def grasp_error(estimate, truth, symmetries, at):
-    """How far the hand is off at the point `at` (base) because the pose is: metres, radians."""
-    best = (math.inf, math.inf)
-    for s in symmetries:
-        motion = truth @ s @ numpy.linalg.inv(estimate)
-        moved = motion[:3, :3] @ at + motion[:3, 3]
-        angle = math.acos(max(-1.0, min(1.0, (numpy.trace(motion[:3, :3]) - 1) / 2)))
-        distance = float(numpy.linalg.norm(moved - at))
-        if distance + 0.05 * angle < best[0] + 0.05 * best[1]:
-            best = (distance, angle)
-    return best
+def truth_of(message):
+    return [{"label": o.label, "name": o.name, "pose": pose_of(o.pose), "held": bool(o.held),
+             "in_drop_zone": bool(o.in_drop_zone)} for o in message.objects]
 
 
 class Run:
@@ -209,53 +165,34 @@ class Run:
 OUTCOMES = ["waiting", "carried", "gone", "left", "held", "dropped", "doubt"]
 
 
-def report_of(run, result, symmetries):
-    """What happened to every object that stood in the cell, by the truth."""
-    rows = []
-    for pick in run.picks:
-        target = pick["target"]
-        estimate = matrix(target.object.pose)
-        known = [o for o in pick["truth"].objects if o.name == target.name]
-        row = {"name": target.name, "instance": target.instance}
-        if known:
-            nearest = min(known, key=lambda o: numpy.linalg.norm(matrix(o.pose)[:3, 3] - estimate[:3, 3]))
-            tcp = matrix(target.grasp)[:3, 3]
-            distance, angle = grasp_error(estimate, matrix(nearest.pose), symmetries.transforms(target.name), tcp)
-            row.update(label=nearest.label, grasp_error_mm=1e3 * distance, grasp_error_deg=math.degrees(angle),
-                       pose_m=[float(v) for v in estimate[:3, 3]],
-                       truth_m=[float(v) for v in matrix(nearest.pose)[:3, 3]])
-        if "result" in pick:
-            row.update(planning_s=pick["result"].planning_time, motion_s=pick["result"].motion_time,
-                       outcome=pick["result"].outcome, reason=pick["result"].reason)
-        rows.append(row)
-    objects = []
-    for o in run.truth.objects:
-        if o.name == "frame":
-            continue
-        attempts = [r for r in rows if r.get("label") == o.label]
-        last = attempts[-1] if attempts else {}
-        objects.append({"label": o.label, "name": o.name, "in_drop_zone": o.in_drop_zone, "held": o.held,
-                        "attempts": len(attempts), **{k: v for k, v in last.items() if k not in ("label", "name")}})
-    cleared = bool(objects) and all(o["in_drop_zone"] for o in objects)
-    return {"seed": run.options.seed, "cleared": cleared, "collisions": run.truth.collisions, "objects": objects,
-            "picks": rows, "reason": result.reason if result else "", "cell_seconds": result.duration if result else None,
-            "rounds": result.rounds if result else 0,
-            "told": [{"name": c.object.name, "outcome": OUTCOMES[c.outcome], "reason": c.reason}
-                     for c in (result.objects if result else [])]}
+def pick_record(pick):
+    target = pick["target"]
+    record = {"name": target.name, "instance": target.instance, "object": pose_of(target.object.pose),
+              "grasp": pose_of(target.grasp), "truth": truth_of(pick["truth"])}
+    if "result" in pick:
+        result = pick["result"]
+        record["result"] = {"outcome": result.outcome, "reason": result.reason, "planning_s": result.planning_time,
+                            "motion_s": result.motion_time}
+    return record
 
 
-def print_table(report):
-    print("\n%-12s %-26s %-26s %-18s %-18s %s" % ("object", "recognised (mm, base)", "truth", "grasp error", "plan / motion", "outcome"))
-    millimetres = lambda v: "(%.1f, %.1f, %.1f)" % tuple(1e3 * x for x in v) if v else "-"
-    for o in report["objects"]:
-        error = "%.2f mm, %.2f deg" % (o["grasp_error_mm"], o["grasp_error_deg"]) if "grasp_error_mm" in o else "-"
-        times = "%.0f ms / %.1f s" % (1e3 * o["planning_s"], o["motion_s"]) if "planning_s" in o else "-"
-        outcome = "carried out" if o["in_drop_zone"] else "in the hand" if o["held"] else "left: " + o.get("reason", "never picked")
-        print("%-12s %-26s %-26s %-18s %-18s %s" % (o["label"], millimetres(o.get("pose_m")), millimetres(o.get("truth_m")),
-                                                    error, times, outcome))
-    print("\n%s; %d collision%s; %.1f s of cell time, %d round%s" %
-          (report["reason"] or "no result", report["collisions"], "" if report["collisions"] == 1 else "s",
-           report["cell_seconds"] or math.nan, report["rounds"], "" if report["rounds"] == 1 else "s"))
+def record_of(run, result):
+    """What happened, as the program clear_frame reads it (docs/json.md)."""
+    told = [{"name": c.object.name, "outcome": OUTCOMES[c.outcome], "reason": c.reason} for c in result.objects]
+    return {"seed": run.options.seed, "collisions": run.truth.collisions, "truth": truth_of(run.truth),
+            "picks": [pick_record(pick) for pick in run.picks],
+            "end": {"reason": result.reason, "cell_seconds": result.duration, "rounds": result.rounds, "told": told}}
+
+
+def report(record, objects, out):
+    """Table, report.json and exit code come from the program clear_frame, which clears the same cell without ROS."""
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        json.dump(record, file)
+        file.flush()
+        command = ["rosrun", "monocular_eye_hand", "clear_frame", "--record", file.name, "--objects", objects]
+        if out:
+            command += ["--json", os.path.join(out, "report.json")]
+        return subprocess.run(command, check=False).returncode
 
 
 def main():
@@ -268,21 +205,16 @@ def main():
     for argument in options.arguments:
         if argument.startswith("objects:="):
             objects = argument.split(":=", 1)[1]
-    symmetries = Symmetries(objects)
     run = Run(options)
     try:
         run.connect()
         result = run.run()
         time.sleep(0.5)  # the truth's last words
-        report = report_of(run, result, symmetries)
-        print_table(report)
-        if options.out:
-            with open(os.path.join(options.out, "report.json"), "w") as f:
-                json.dump(report, f, indent=1)
+        code = report(record_of(run, result), objects, options.out)
         if options.keep:
             print("running until Ctrl-C; ROS_MASTER_URI=" + os.environ["ROS_MASTER_URI"])
             signal.pause()
-        return 0 if report["cleared"] and not report["collisions"] else 1
+        return code
     except (RuntimeError, KeyboardInterrupt) as e:
         print("clear_frame: %s" % (e or "stopped"), file=sys.stderr)
         return 2

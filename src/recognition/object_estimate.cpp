@@ -28,6 +28,14 @@ void SupportPlane::check() const {
     throw BadInput(fmt::format("support plane: tolerance = {:g} must not be negative [m]", tolerance));
 }
 
+SupportPlane supportPlane(const Rigid3& camera_from_level, double height, double tolerance) {
+  SupportPlane plane;
+  plane.normal = camera_from_level.rotation.col(2).normalized();
+  plane.offset = plane.normal.dot(camera_from_level.translation) + height;
+  plane.tolerance = tolerance;
+  return plane;
+}
+
 std::string toString(Fate fate) {
   switch (fate) {
     case Fate::kAccepted:

@@ -66,6 +66,16 @@ void CameraViewOptions::check() const {
   require(most >= 1, "most", most, "at least 1");
 }
 
+Eigen::Vector3d lookTarget(const TaskView& view, const std::optional<MappedObject>& frame,
+                           const std::array<double, 3>& centre, const ModelBase& models) {
+  const auto middleOf = [&](const MappedObject& object) -> Eigen::Vector3d {
+    return object.base_from_object * models.objects.at(size_t(object.object)).model.centre();
+  };
+  if (view.near) return middleOf(view.object);
+  if (frame) return middleOf(*frame);
+  return Eigen::Map<const Eigen::Vector3d>(centre.data());
+}
+
 std::vector<Rigid3> cameraViews(const TaskView& view, const Eigen::Vector3d& target, const Puma560& arm,
                                 const Rigid3& tool0_from_camera, const JointVector& current,
                                 const CameraViewOptions& options) {

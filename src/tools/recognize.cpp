@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <opencv2/core.hpp>
 
@@ -118,19 +117,7 @@ ImageReport process(const Arguments& args, const Recognizer& recognizer, const C
 
 void writeJson(const std::string& path, const nlohmann::ordered_json& document) {
   // Names come from files: bytes that are not UTF-8 are replaced, not refused.
-  const std::string text =
-      document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  if (path == "-") {
-    std::cout << text << std::flush;
-    return;
-  }
-  const fs::path folder = fs::path(path).parent_path();
-  std::error_code ignored;  // the file tells
-  if (!folder.empty()) fs::create_directories(folder, ignored);
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw BadInput(path + ": cannot be written");
+  writeText(path, document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 void warn(const std::string& text) { std::cerr << "recognize: warning: " << text << "\n"; }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -13,12 +15,12 @@
 
 namespace monocular_eye_hand {
 
-bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code) {
+bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code, int mistake) {
   try {
     app->parse(argc, argv);
     return true;
   } catch (const CLI::ParseError& e) {
-    *exit_code = app->exit(e) == 0 ? 0 : 1;
+    *exit_code = app->exit(e) == 0 ? 0 : mistake;
     return false;
   }
 }
@@ -32,14 +34,29 @@ void refuseRenamed(CLI::App* app, const std::string& old_name, const std::string
       ->group("");  // not in --help
 }
 
-int runTool(const std::string& name, const std::function<int()>& body) {
+int runTool(const std::string& name, const std::function<int()>& body, int failure) {
   try {
     return body();
   } catch (const std::exception& e) {
     std::cout.flush();
     std::cerr << name << ": " << e.what() << "\n";
-    return 1;
+    return failure;
   }
+}
+
+void writeText(const std::string& path, const std::string& text) {
+  if (path == "-") {
+    std::cout << text << std::flush;
+    return;
+  }
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code ignored;  // the file tells
+  if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
+
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw BadInput(path + ": cannot be written");
 }
 
 RecognitionOptions recognitionOptions(const std::string& yaml_path, const std::vector<std::string>& settings,

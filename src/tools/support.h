@@ -12,14 +12,18 @@ class App;
 namespace monocular_eye_hand {
 
 /// Parses the command line. True when the tool is to run; else *exit_code is what main returns: 0 after
-/// --help, 1 after a mistake, which has been told.
-bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code);
+/// --help, `mistake` after a mistake, which has been told.
+bool parseArguments(CLI::App* app, int argc, char** argv, int* exit_code, int mistake = 1);
 
 /// An option that has another name now is refused with that name.
 void refuseRenamed(CLI::App* app, const std::string& old_name, const std::string& new_name);
 
-/// Runs a tool's body: 0 or what it returns; bad input is told on stderr ("name: message") and gives 1.
-int runTool(const std::string& name, const std::function<int()>& body);
+/// Runs a tool's body: what it returns; bad input is told on stderr ("name: message") and gives `failure`.
+int runTool(const std::string& name, const std::function<int()>& body, int failure = 1);
+
+/// Writes a text, into a new folder if need be; "-" is standard output. Throws BadInput naming the path when
+/// it cannot.
+void writeText(const std::string& path, const std::string& text);
 
 /// The defaults, then the file ("" = none), then `settings` of the form a.b=value. A file that has the key
 /// `recognition` (the node's parameters, config/recognizer.yaml) gives what stands there. `decision_path`:

@@ -14,16 +14,6 @@
 
 namespace monocular_eye_hand {
 
-/// Memory that outlives an executor->
-class KeptInTest : public PickMemoryStore {
- public:
-  void keep(const std::optional<PickMemory>& memory) override { memory_ = memory; }
-  std::optional<PickMemory> kept() override { return memory_; }
-
- private:
-  std::optional<PickMemory> memory_;
-};
-
 inline const ExecutorOptions& executorOptions() {
   static const ExecutorOptions options = [] {
     const std::string source = MONOCULAR_EYE_HAND_SOURCE_DIR;
@@ -151,7 +141,7 @@ class ExecutorTest : public testing::Test {
 
   ExecutorOptions options = executorOptions();
   ScriptedRobot robot;
-  KeptInTest memory;
+  VolatilePickMemory memory;
   std::unique_ptr<PickPlaceExecutor> executor;
   std::string cancel_in;
   std::vector<std::string> stages;

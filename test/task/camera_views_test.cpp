@@ -7,6 +7,7 @@
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/task/drop_places.h"
 #include "support/refusal.h"
 
 namespace monocular_eye_hand {
@@ -124,6 +125,51 @@ TEST_F(CameraViews, WhatIsWrongIsNamed) {
   options.most = 0;
   EXPECT_THAT(refusalOf(options), testing::HasSubstr("most"));
   EXPECT_THROW(views(overview(0), {NAN, 0, 0}), BadInput);
+}
+
+TEST(LookTarget, IsTheObjectThenTheFrameThenWhereTheFrameIsSaidToStand) {
+  ModelBase models;
+  models.objects.resize(1);
+  models.objects[0].model.bounds.extend(Eigen::Vector3d(0, 0, 0));
+  models.objects[0].model.bounds.extend(Eigen::Vector3d(0.2, 0, 0.1));
+  const Eigen::Vector3d middle = models.objects[0].model.centre();
+  MappedObject frame;
+  frame.object = 0;
+  frame.base_from_object.translation = {0.5, 0.1, 0.3};
+  const std::array<double, 3> centre{{0.6, 0, 0.3}};
+
+  EXPECT_EQ(lookTarget(overview(0), std::nullopt, centre, models), Eigen::Vector3d(0.6, 0, 0.3));
+  EXPECT_TRUE(
+      lookTarget(overview(0), frame, centre, models).isApprox(Eigen::Vector3d(0.5, 0.1, 0.3) + middle));
+  TaskView near = nearLook(0);
+  near.object = frame;
+  near.object.base_from_object.translation = {0.4, 0, 0.3};
+  EXPECT_TRUE(lookTarget(near, frame, centre, models).isApprox(Eigen::Vector3d(0.4, 0, 0.3) + middle));
+}
+
+TEST(DropPlaceCount, GoesOnOrBeginsAgain) {
+  DropPlaceCount places;
+  EXPECT_EQ(places.of(0), 0);
+  places.take(places.of(0));
+  places.take(places.of(1));
+  EXPECT_EQ(places.next(), 2);
+
+  places.restart(true);
+  EXPECT_EQ(places.of(0), 2);
+  places.take(places.of(0));
+  EXPECT_EQ(places.next(), 3);
+  places.restart(false);
+  EXPECT_EQ(places.of(0), 0);
+  EXPECT_EQ(places.next(), 0);
+}
+
+TEST(GripOf, HoldsWhenStalledAndNotClosed) {
+  EXPECT_TRUE(gripOf({0, 0.04, false, true}, 0.002).holding);
+  EXPECT_EQ(gripOf({0, 0.04, false, true}, 0.002).reason, "width 40.0 mm, stalled");
+  EXPECT_FALSE(gripOf({0, 0.001, false, true}, 0.002).holding);
+  const TaskGrip open = gripOf({0, 0.04, false, false}, 0.002);
+  EXPECT_TRUE(open.known);
+  EXPECT_FALSE(open.holding);
 }
 
 }  // namespace

@@ -128,6 +128,20 @@ struct ExecutorOptions {
   Puma560Options arm;
 
   void check() const;
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("objects", objects);
+    v("urdf", urdf);
+    v("table", table);
+    v("boxes", boxes);
+    v("drop_zone", drop_zone);
+    v("drop_gap", drop_gap);
+    v("drop_above", drop_above);
+    v("feedback_period", feedback_period);
+    v("execution", execution);
+    v("planning", planning);
+    v("arm", arm);
+  }
 };
 
 }  // namespace monocular_eye_hand

@@ -24,4 +24,14 @@ class PickMemoryStore {
   virtual std::optional<PickMemory> kept() = 0;
 };
 
+/// Where no executor starts again: it lives as long as the program.
+class VolatilePickMemory : public PickMemoryStore {
+ public:
+  void keep(const std::optional<PickMemory>& memory) override { memory_ = memory; }
+  std::optional<PickMemory> kept() override { return memory_; }
+
+ private:
+  std::optional<PickMemory> memory_;
+};
+
 }  // namespace monocular_eye_hand

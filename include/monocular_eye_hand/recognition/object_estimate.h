@@ -128,6 +128,8 @@ struct SupportPlane {
 
   void check() const;  ///< throws BadInput naming field, value and rule
 };
+/// The plane z = `height` [m] of a level frame, z up. `tolerance` [m] as above.
+SupportPlane supportPlane(const Rigid3& camera_from_level, double height, double tolerance);
 
 /// What to look for in one image.
 struct RecognitionRequest {

@@ -1,7 +1,10 @@
 #pragma once
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "monocular_eye_hand/arm/puma560.h"
+#include "monocular_eye_hand/model/known_object.h"
 #include "monocular_eye_hand/task/world.h"
 
 namespace monocular_eye_hand {
@@ -36,6 +39,11 @@ struct CameraViewOptions {
     v("most", most);
   }
 };
+
+/// What a view looks at [m, base]: the middle of its object when it is a near one, else that of the frame as
+/// it is known, else `centre`.
+Eigen::Vector3d lookTarget(const TaskView& view, const std::optional<MappedObject>& frame,
+                           const std::array<double, 3>& centre, const ModelBase& models);
 
 /// Camera poses (base_from_camera) from which to look at `target` (base frame [m]), the best first: near the
 /// wished direction, and there soonest reached from `current`. All are within reach of the arm; empty when

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/arm/action_outcome.h"
+#include "monocular_eye_hand/arm/gripper_reading.h"
 #include "monocular_eye_hand/eye_hand/object_view.h"
 #include "monocular_eye_hand/grasp/plan_grasps.h"
 
@@ -44,6 +45,8 @@ struct TaskGrip {
   bool holding = false;  ///< something is between the fingers
   std::string reason;    ///< e.g. the width
 };
+/// By a reading that is fresh enough. `holding_width`: a gripper that closed further holds nothing [m].
+TaskGrip gripOf(const GripperReading& gripper, double holding_width);
 
 /// What the task asks of the rest of the robot. Calls block until they are answered and return early when the
 /// task is cancelled. "It did not work" is an answer with a reason.

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "monocular_eye_hand/geometry/optical_axes.h"
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -22,12 +24,6 @@ bool hangsAsOptical(const tf2::BufferCore& tf, const std::string& frame, const s
 }
 
 }  // namespace
-
-Eigen::Matrix3d bodyFromOptical() {
-  Eigen::Matrix3d rotation;
-  rotation << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return rotation;
-}
 
 std::string opticalFrameIn(const tf2::BufferCore& tf, const std::string& frame) {
   std::vector<std::string> all;

@@ -1,13 +1,9 @@
 #pragma once
 #include <tf2/buffer_core.h>
 
-#include <Eigen/Core>
 #include <string>
 
 namespace monocular_eye_hand {
-
-/// Turns the axes of an optical frame (z forward, y down) into those of its camera's body (x forward, z up).
-Eigen::Matrix3d bodyFromOptical();
 
 /// A frame of tf that hangs in `frame` as an optical frame hangs in its camera's body; "" when there is none.
 std::string opticalFrameIn(const tf2::BufferCore& tf, const std::string& frame);

@@ -1,5 +1,4 @@
 #pragma once
-#include <monocular_eye_hand/GripperState.h>
 #include <ros/ros.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>

@@ -1,13 +1,15 @@
 #include "nodes/eye_hand/node.h"
 
+#include "monocular_eye_hand/eye_hand/frame_axes.h"
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/grasp/known_cell.h"
 #include "nodes/common/camera_info.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/names.h"
 #include "nodes/common/node_on.h"
 #include "nodes/common/stamps.h"
 #include "nodes/eye_hand/conversion.h"
-#include "nodes/eye_hand/known_cell.h"
+#include "nodes/eye_hand/grasp_messages.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -118,12 +120,13 @@ std::string EyeHandNode::merge(const RecognizedObjectArray& view) {
   input.hand = hand.hand;
   input.hand_eye = hand.hand_eye;
   // A camera in motion misses much, and again and again; what the hand holds, of whatever shape, hides much.
-  input.complete = isComplete(view) && !hand.moves && !holds(hand.gripper, parameters_.held_width);
+  const bool holds = hand.gripper && hand.gripper->holds(parameters_.held_width);
+  input.complete = isComplete(view) && !hand.moves && !holds;
   requireOpticalFrame(input, camera_frame, hand.table_height);
   input.known = knownCell(parameters_, hand.table_height, hand.hand.base_from_tool0 * advisor_.tool0FromTcp(),
                           hand.gripper);
 
-  const SharedMap::Added added = map_.add(input, view.header.stamp);
+  const AddedView added = map_.add(input, view.header.stamp);
   if (added.before_forget) throw BeforeForget(added.report.refused);
   if (!added.report.refused.empty())
     throw BadInput(added.report.refused + " (call ~forget for every object)");
@@ -222,7 +225,10 @@ EyeHandState EyeHandNode::state() const {
 
 bool EyeHandNode::onGraspTargets(GraspTargets::Request& request, GraspTargets::Response& response) {
   try {
-    response = advisor_.answer(request, map_.known(), armNow());
+    const KnownObjects known = map_.known();
+    const double table_height = parameters_.table_height;
+    response =
+        toMessage(advisor_.answer(request.name, request.instance, known.map, armNow(), table_height), known);
   } catch (const std::exception& e) {
     response.status = GraspTargets::Response::NO_GRASP;
     response.text = std::string("planning grasps failed: ") + e.what();

@@ -14,7 +14,6 @@
 #include <thread>
 
 #include "nodes/eye_hand/diagnostics.h"
-#include "nodes/eye_hand/grasp_advisor.h"
 #include "nodes/eye_hand/hand_input.h"
 #include "nodes/eye_hand/outputs.h"
 #include "nodes/eye_hand/parameters.h"

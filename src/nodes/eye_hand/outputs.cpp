@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "nodes/common/names.h"
+#include "nodes/eye_hand/grasp_messages.h"
 
 namespace monocular_eye_hand {
 
@@ -46,7 +47,7 @@ void EyeHandOutputs::publish(const KnownObjects& known, const ros::Time& stamp, 
   array.header.frame_id = parameters_.base_frame;
   array.objects = known.messages;
   array.refused = refused;
-  if (refused.empty()) array.ruled_out = known.ruled_out;
+  if (refused.empty()) array.ruled_out = known.map.ruled_out;
   objects_.publish(array);
   askForGrasps(known);
 }
@@ -88,7 +89,8 @@ void EyeHandOutputs::work() {
 void EyeHandOutputs::publishGrasps(const KnownObjects& known) {
   if (markers_.getNumSubscribers() > 0) markers_.publish(meshes(known));
   const auto start = std::chrono::steady_clock::now();
-  grasps_ = advisor_.best(known, arm_now_());
+  grasps_ = toMessage(advisor_.best(known.map, arm_now_(), parameters_.table_height), known,
+                      parameters_.base_frame);
   grasp_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   best_grasps_.publish(grasps_);
   geometry_msgs::PoseArray poses;
@@ -110,7 +112,7 @@ visualization_msgs::MarkerArray EyeHandOutputs::meshes(const KnownObjects& known
   header.frame_id = parameters_.base_frame;
   std::vector<ObjectEstimate> shown;
   std::vector<int> numbers;
-  for (const MappedObject& object : known.objects) {
+  for (const MappedObject& object : known.map.objects) {
     ObjectEstimate estimate;
     estimate.object = object.object;
     estimate.name = object.name;

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <thread>
 
+#include "monocular_eye_hand/grasp/grasp_advisor.h"
 #include "nodes/common/markers.h"
-#include "nodes/eye_hand/grasp_advisor.h"
 #include "nodes/eye_hand/grasp_arrows.h"
 #include "nodes/eye_hand/parameters.h"
 #include "nodes/eye_hand/shared_map.h"

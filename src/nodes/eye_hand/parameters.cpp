@@ -7,6 +7,7 @@
 namespace monocular_eye_hand {
 
 void EyeHandParameters::check() const {
+  GraspingOptions::check();
   requireGiven("objects", objects, "the path of the model base, e.g. config/objects.yaml of this package");
   requireGiven("urdf", urdf, "the path of the arm's URDF, e.g. urdf/puma560.urdf of this package");
   requireGiven("base_frame", base_frame, "the tf frame of the arm's base");
@@ -23,8 +24,6 @@ void EyeHandParameters::check() const {
   require(max_waiting >= 1, "max_waiting", max_waiting, "1 or more");
 
   require(std::isfinite(table_height), "table_height", table_height, "finite");
-  requireOwnNames(boxes);
-  require(held_width >= 0, "held_width", held_width, "0 or more");
   requirePositive("still", still);
 
   require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");

@@ -1,18 +1,15 @@
 #pragma once
 #include <array>
 #include <string>
-#include <vector>
 
 #include "monocular_eye_hand/arm/arm_state.h"
-#include "monocular_eye_hand/arm/puma560.h"
-#include "monocular_eye_hand/eye_hand/object_map_options.h"
-#include "monocular_eye_hand/geometry/cell_box.h"
-#include "monocular_eye_hand/grasp/plan_grasps.h"
+#include "monocular_eye_hand/grasp/grasping_options.h"
 
 namespace monocular_eye_hand {
 
-/// Parameters of the node eye_hand: the keys of config/eye_hand.yaml. Defaults stand here and nowhere else.
-struct EyeHandParameters {
+/// Parameters of the node eye_hand: the keys of config/eye_hand.yaml. Defaults stand here and in
+/// GraspingOptions, and nowhere else.
+struct EyeHandParameters : GraspingOptions {
   std::string objects;                   ///< model base, the recogniser's: path of a YAML; required
   std::string urdf;                      ///< path of the arm's URDF, as urdf/puma560.urdf; required
   std::string base_frame = "base_link";  ///< of all results
@@ -27,20 +24,12 @@ struct EyeHandParameters {
   double max_tf_distance = 0.005;  ///< between tool0 of tf and of the joint states [m] ...
   double max_tf_turn = 0.01;       ///< ... and [rad]: beyond, one of the two is wrong
   int max_waiting = 10;            ///< views that wait for tf; when one more comes the oldest is refused
-  bool table = true;               ///< everything stands above table_height, and the hand keeps above it
   double table_height = 0.3;       ///< z of the table's top in table_frame [m]
   std::string table_frame;         ///< level frame of the table in tf; "": base_frame
-  std::vector<CellBox> boxes;      ///< whatever else stands in the cell: nothing reaches into it
-  double held_width = 0.002;       ///< between the pads of a stalled gripper: beyond, it holds something [m]
   double still = 0.05;  ///< a joint that turns faster moves the camera: its image misses nothing [rad/s]
   int marker_triangles = 20000;    ///< meshes with more triangles are shown by their sharp edges
   double label_height = 0.03;      ///< of the markers' texts [m]
   double diagnostic_period = 1.0;  ///< [s, wall clock]
-  ObjectMapOptions map;
-  Puma560Options arm;
-  GripperOptions gripper;
-  GraspSamplingOptions sampling;
-  GraspPlanOptions grasp;
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
@@ -60,22 +49,15 @@ struct EyeHandParameters {
     v("max_tf_turn", max_tf_turn);
     v("max_waiting", max_waiting);
 
-    v("table", table);
     v("table_height", table_height);
     v("table_frame", table_frame);
-    v("boxes", boxes);
-    v("held_width", held_width);
     v("still", still);
 
     v("marker_triangles", marker_triangles);
     v("label_height", label_height);
     v("diagnostic_period", diagnostic_period);
 
-    v("map", map);
-    v("arm", arm);
-    v("gripper", gripper);
-    v("sampling", sampling);
-    v("grasp", grasp);
+    GraspingOptions::visit(v);
   }
 };
 

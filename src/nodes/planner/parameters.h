@@ -14,19 +14,9 @@ struct PlannerParameters : ExecutorOptions {
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {
-    v("objects", objects);
-    v("urdf", urdf);
+    ExecutorOptions::visit(v);
     v("base_frame", base_frame);
-    v("table", table);
-    v("boxes", boxes);
-    v("drop_zone", drop_zone);
-    v("drop_gap", drop_gap);
-    v("drop_above", drop_above);
-    v("feedback_period", feedback_period);
     v("diagnostic_period", diagnostic_period);
-    v("execution", execution);
-    v("planning", planning);
-    v("arm", arm);
   }
 };
 

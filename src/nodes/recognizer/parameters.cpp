@@ -14,11 +14,7 @@ void SupportParameters::check() const {
 }
 
 SupportPlane supportPlane(const Rigid3& camera_from_frame, const SupportParameters& parameters) {
-  SupportPlane plane;
-  plane.normal = camera_from_frame.rotation.col(2).normalized();
-  plane.offset = plane.normal.dot(camera_from_frame.translation) + parameters.height;
-  plane.tolerance = parameters.tolerance;
-  return plane;
+  return supportPlane(camera_from_frame, parameters.height, parameters.tolerance);
 }
 
 void RecognizerParameters::check() const {

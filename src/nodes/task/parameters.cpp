@@ -1,8 +1,7 @@
 #include "nodes/task/parameters.h"
 
-#include <cmath>
-
 #include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/geometry/require.h"
 
 namespace monocular_eye_hand {
 
@@ -11,18 +10,11 @@ void TaskParameters::check() const {
     throw BadInput("~objects is not set: the path of the model base, a YAML like config/objects.yaml");
   if (urdf.empty()) throw BadInput("~urdf is not set: the path of the arm's URDF, as urdf/puma560.urdf");
   if (base_frame.empty()) throw BadInput("base_frame must not be empty");
-  for (double value : centre)
-    if (!std::isfinite(value)) throw BadInput("centre must be three finite numbers");
-  const auto positive = [](const char* field, double value) {
-    if (!(value > 0))
-      throw BadInput(std::string(field) + " = " + std::to_string(value) + " must be positive");
-  };
-  if (!(settle >= 0)) throw BadInput("settle = " + std::to_string(settle) + " must be at least 0");
-  positive("look_timeout", look_timeout);
-  positive("answer_timeout", answer_timeout);
-  positive("motion_timeout", motion_timeout);
-  positive("holding_width", holding_width);
-  positive("state_max_age", state_max_age);
+  TaskOptions::check();
+  requirePositive("look_timeout", look_timeout);
+  requirePositive("answer_timeout", answer_timeout);
+  requirePositive("motion_timeout", motion_timeout);
+  requirePositive("state_max_age", state_max_age);
 }
 
 }  // namespace monocular_eye_hand

@@ -1,13 +1,11 @@
 #include "nodes/task/world.h"
 
 #include <chrono>
-#include <cmath>
 #include <thread>
 #include <utility>
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/geometry/length_text.h"
 #include "monocular_eye_hand/geometry/seconds_text.h"
 #include "nodes/common/action_outcome.h"
 #include "nodes/common/conversion.h"
@@ -125,7 +123,7 @@ RosTaskWorld::~RosTaskWorld() {
 
 void RosTaskWorld::restart(const std::string& frame, bool go_on) {
   frame_ = frame;
-  first_place_ = place_ = go_on ? place_ : 0;
+  places_.restart(go_on);
 }
 
 void RosTaskWorld::wait(double seconds) {
@@ -177,18 +175,13 @@ std::optional<JointVector> RosTaskWorld::joints() const {
   return std::nullopt;
 }
 
-Eigen::Vector3d RosTaskWorld::lookTarget(const TaskView& view) const {
-  const auto centreOf = [&](int object, const Rigid3& base_from_object) -> Eigen::Vector3d {
-    return base_from_object * models_->objects[size_t(object)].model.centre();
-  };
-  if (view.near) return centreOf(view.object.object, view.object.base_from_object);
+/// As the last view told it.
+std::optional<MappedObject> RosTaskWorld::frame() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (view_)
-    for (const LocatedObject& object : view_->objects)
-      if (object.name == frame_)
-        return centreOf(models_->indexOf(object.name),
-                        poseOf(object.pose.pose, "the pose of " + object.name));
-  return Eigen::Map<const Eigen::Vector3d>(parameters_.centre.data());
+  if (!view_) return std::nullopt;
+  for (const LocatedObject& object : view_->objects)
+    if (object.name == frame_) return fromMessage(object, *models_);
+  return std::nullopt;
 }
 
 /// Time went back: what was heard before does not answer what is asked from now on.
@@ -209,8 +202,9 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
     return look;
   }
 
+  const Eigen::Vector3d target = lookTarget(view, frame(), parameters_.centre, *models_);
   const std::vector<Rigid3> poses =
-      cameraViews(view, lookTarget(view), arm_, description_.tool0_from_camera, *current, parameters_.views);
+      cameraViews(view, target, arm_, description_.tool0_from_camera, *current, parameters_.views);
   if (poses.empty()) {
     look.reason = "no camera pose from which to look there is within the arm's reach";
     return look;
@@ -369,33 +363,27 @@ TaskGrasps RosTaskWorld::graspTargets(const MappedObject& object) {
 ActionResult RosTaskWorld::pick(const PlannedGrasp& planned) {
   PickGoal goal;
   goal.target = toMessage(planned, parameters_.base_frame);
-  goal.place = place_;
+  goal.place = places_.next();
   return execute(&pick_, kPick, goal, parameters_, cancelled_);
 }
 
 TaskGrip RosTaskWorld::grip() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  TaskGrip grip;
-  if (!gripper_ || gripper_at_.since() > parameters_.state_max_age) {
-    grip.reason = "gripper/state is silent";
-    return grip;
-  }
-  grip.known = true;
-  grip.holding = gripper_->stalled && gripper_->width > parameters_.holding_width;
-  grip.reason = "width " + millimetresText(gripper_->width) + (gripper_->stalled ? ", stalled" : "");
-  return grip;
+  if (!gripper_ || gripper_at_.since() > parameters_.state_max_age)
+    return {false, false, "gripper/state is silent"};
+  return gripOf(fromMessage(*gripper_, gripper_->header.stamp), parameters_.holding_width);
 }
 
 ActionResult RosTaskWorld::carry(const MappedObject& object, int place) {
   PlaceGoal goal;
-  goal.place = first_place_ + place;
+  goal.place = places_.of(place);
   ActionResult placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
   if (!placed.done()) {
     const TaskGrip left = grip();
-    if (left.known && !left.holding) place_ = goal.place + 1;  // stopped after it let go: it may lie there
+    if (left.known && !left.holding) places_.take(goal.place);  // stopped after it let go: it may lie there
     return placed;
   }
-  place_ = goal.place + 1;
+  places_.take(goal.place);
   ForgetObject call;
   call.request.name = object.name;
   call.request.instance = object.number;
@@ -410,9 +398,11 @@ ActionResult RosTaskWorld::emptyHand() {
   if (!grip().holding) return {ActionOutcome::kDone, ""};
 
   PlaceGoal goal;
-  goal.place = place_;
+  goal.place = places_.next();
   ActionResult placed = execute(&place_client_, kPlace, goal, parameters_, cancelled_);
-  if (placed.done()) first_place_ = ++place_;
+  if (!placed.done()) return placed;
+  places_.take(goal.place);
+  places_.restart(true);
   return placed;
 }
 

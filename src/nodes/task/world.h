@@ -23,6 +23,7 @@
 
 #include "monocular_eye_hand/arm/arm_description.h"
 #include "monocular_eye_hand/arm/arm_state.h"
+#include "monocular_eye_hand/task/drop_places.h"
 #include "monocular_eye_hand/task/world.h"
 #include "nodes/common/moment.h"
 #include "nodes/task/parameters.h"
@@ -60,7 +61,7 @@ class RosTaskWorld : public TaskWorld {
   void jointsCallback(const sensor_msgs::JointState& message);
   std::optional<JointVector> joints() const;
   bool waitFor(ros::ServiceClient* service) const;
-  Eigen::Vector3d lookTarget(const TaskView& view) const;
+  std::optional<MappedObject> frame() const;
   void waitUntil(const ros::Time& moment) const;  // of the clock; at most look_timeout
   TaskLook waitForView(const ros::Time& after);
   void forgetFuture();
@@ -76,8 +77,8 @@ class RosTaskWorld : public TaskWorld {
   const std::function<bool()> cancelled_;
   const Puma560 arm_;
   const ArmDescription description_;
-  int first_place_ = 0, place_ = 0;  // of this task, next; in the drop zone
-  std::string frame_;                // of this task
+  DropPlaceCount places_;
+  std::string frame_;  // of this task
 
   ros::NodeHandle node_;
   ros::Subscriber objects_subscriber_, recognized_subscriber_, gripper_subscriber_, joints_subscriber_;

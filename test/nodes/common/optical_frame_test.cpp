@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "monocular_eye_hand/geometry/optical_axes.h"
 #include "nodes/common/optical_frame.h"
 
 namespace monocular_eye_hand {

@@ -1,15 +1,12 @@
-#include <gmock/gmock.h>
+#include "nodes/eye_hand/shared_map.h"
+
 #include <gtest/gtest.h>
 
-#include "cube_on_table.h"
+#include "../../eye_hand/cube_on_table.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "nodes/eye_hand/shared_map.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 /// A camera above the table sees a cube whose foot stands at this height.
 ObjectView view(double stamp, double height) {
@@ -24,53 +21,6 @@ ObjectView view(double stamp, double height) {
   view.known.table_height = 0.3;
   view.objects.push_back(seenCube(view.hand.base_from_tool0, {0.5, 0, height}));
   return view;
-}
-
-class SharedMapTest : public testing::Test {
- protected:
-  SharedMap::Added add(double stamp, double height = 0.3) {
-    went_back_ = map_.beginAgain(ros::Time(stamp));
-    return map_.add(view(stamp, height), ros::Time(stamp));
-  }
-  const ModelBase models_ = cube();
-  SharedMap map_{models_, {}, "base_link"};
-  double went_back_ = 0;
-};
-
-TEST_F(SharedMapTest, StampsThatGoBackBeginANewMap) {
-  add(1500000000.0);
-  const SharedMap::Added late = add(1499999999.5);
-  EXPECT_THAT(late.report.refused,
-              HasSubstr("the view of 1499999999.500 s is not newer than the last one of"));
-  EXPECT_EQ(went_back_, 0);
-  const SharedMap::Added again = add(1499999990.0);
-  EXPECT_EQ(again.report.refused, "");
-  EXPECT_NEAR(went_back_, 10, 1e-6);
-  ASSERT_EQ(map_.known().messages.size(), 1u);
-  EXPECT_EQ(map_.known().messages[0].instance, 0);
-  EXPECT_EQ(map_.known().messages[0].views, 1);
-  EXPECT_EQ(add(1499999990.1).report.refused, "");
-}
-
-TEST_F(SharedMapTest, WhatCannotBeThereIsTold) {
-  add(1, 0.26);
-  const KnownObjects known = map_.known();
-  EXPECT_TRUE(known.objects.empty());
-  EXPECT_THAT(known.ruled_out, ElementsAre("cube: reaches 40.0 mm below the table's top (z = 300.0 mm)"));
-  EXPECT_EQ(known.table_height, 0.3);
-  add(2);
-  EXPECT_TRUE(map_.known().ruled_out.empty());
-}
-
-TEST_F(SharedMapTest, AViewFromBeforeAForgetIsNoTrouble) {
-  add(1);
-  EXPECT_EQ(map_.forget(0, 0, ros::Time(2)), 1);
-  const SharedMap::Added before = add(1.5);
-  EXPECT_TRUE(before.before_forget);
-  EXPECT_THAT(before.report.refused, HasSubstr("~forget"));
-  EXPECT_TRUE(map_.known().messages.empty());
-  EXPECT_FALSE(add(2.5).before_forget);
-  EXPECT_EQ(map_.known().messages.size(), 1u);
 }
 
 /// A solid block whose foot's middle is the origin: two of them cannot be in one place.
@@ -106,6 +56,50 @@ TEST(SharedMap, WhatHadYieldedHasTheStampOfItsLastView) {
   ASSERT_EQ(map.known().messages.size(), 1u);
   EXPECT_EQ(map.known().messages[0].instance, 1);
   EXPECT_EQ(map.known().messages[0].header.stamp, ros::Time(12));
+}
+
+TEST(SharedMap, StampsAreKeptToTheNanosecond) {
+  ModelBase models = cube();
+  models.objects.push_back(models.objects[0]);
+  models.objects[1].model.name = "other";
+  SharedMap map(models, {}, "base_link");
+  ObjectView seen = view(0, 0.3);
+  seen.known = {};
+  SeenObject first_cube, other;
+  first_cube.object = 0;
+  other.object = 1;
+  first_cube.covariance = other.covariance = Matrix6d::Identity() * 1e-8;
+  first_cube.camera_from_object.translation = {0, 0, -1};  // behind the camera: never missed
+  other.camera_from_object.translation = {0.5, 0, -1};
+
+  const ros::Time first(1700000000, 123456789), second(1700000001, 987654321);
+  seen.objects = {first_cube, other};
+  seen.stamp = first.toSec();
+  map.add(seen, first);
+  seen.objects = {other};
+  seen.stamp = second.toSec();
+  map.add(seen, second);
+
+  const KnownObjects known = map.known();
+  ASSERT_EQ(known.messages.size(), 2u);
+  EXPECT_EQ(known.messages[0].header.stamp, first);
+  EXPECT_EQ(known.messages[1].header.stamp, second);
+  EXPECT_EQ(known.stamp, second);
+  EXPECT_NE(map.add(seen, second).report.refused, "");
+  EXPECT_NE(map.known().map.refused, "");
+
+  const ros::Time forgotten(1700000003, 0), late(1700000002, 0);
+  EXPECT_EQ(map.forget(first_cube.object, 0, forgotten), 1);
+  EXPECT_EQ(map.forget(first_cube.object, 0, forgotten), 0);
+  seen.stamp = late.toSec();
+  EXPECT_NE(map.add(seen, late).report.refused, "") << "taken before it was carried away";
+  seen.stamp = second.toSec();
+  EXPECT_EQ(map.forget(-1, -1, forgotten), 1);
+  EXPECT_EQ(map.add(seen, second).report.refused, "");  // stamps may start again
+
+  map.clear();
+  EXPECT_TRUE(map.known().stamp.isZero());
+  EXPECT_TRUE(map.known().map.objects.empty());
 }
 
 }  // namespace
