@@ -5,13 +5,13 @@
 namespace monocular_eye_hand {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kDegrees = 180 / M_PI;
 
-Json list(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+OrderedJson list(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-void addPick(const PickReport& pick, Json* json) {
+void addPick(const PickReport& pick, OrderedJson* json) {
   if (pick.error) {
     (*json)["grasp_error_mm"] = 1e3 * pick.error->distance;
     (*json)["grasp_error_deg"] = kDegrees * pick.error->angle;
@@ -25,42 +25,42 @@ void addPick(const PickReport& pick, Json* json) {
   (*json)["reason"] = pick.result->reason;
 }
 
-Json pickJson(const PickReport& pick) {
-  Json json{{"name", pick.name}, {"instance", pick.instance}};
+OrderedJson pickJson(const PickReport& pick) {
+  OrderedJson json{{"name", pick.name}, {"instance", pick.instance}};
   if (pick.error) json["label"] = pick.error->label;
   addPick(pick, &json);
   return json;
 }
 
-Json partJson(const PartReport& part) {
-  Json json{{"label", part.label},
-            {"name", part.name},
-            {"in_drop_zone", part.in_drop_zone},
-            {"held", part.held},
-            {"attempts", part.attempts}};
+OrderedJson partJson(const PartReport& part) {
+  OrderedJson json{{"label", part.label},
+                   {"name", part.name},
+                   {"in_drop_zone", part.in_drop_zone},
+                   {"held", part.held},
+                   {"attempts", part.attempts}};
   if (!part.last) return json;
   json["instance"] = part.last->instance;
   addPick(*part.last, &json);
   return json;
 }
 
-Json timesJson(const ClearingTimes& times) {
+OrderedJson timesJson(const ClearingTimes& times) {
   return {{"rendering", times.rendering}, {"recognition", times.recognition}, {"grasps", times.grasps},
           {"planning", times.planning},   {"motion", times.motion},           {"all", times.all}};
 }
 
-Json reportTree(const ClearingReport& report) {
-  Json json{{"seed", report.seed}, {"cleared", report.cleared}, {"collisions", report.collisions}};
-  json["objects"] = Json::array();
+OrderedJson reportTree(const ClearingReport& report) {
+  OrderedJson json{{"seed", report.seed}, {"cleared", report.cleared}, {"collisions", report.collisions}};
+  json["objects"] = OrderedJson::array();
   for (const PartReport& part : report.parts) json["objects"].push_back(partJson(part));
-  json["picks"] = Json::array();
+  json["picks"] = OrderedJson::array();
   for (const PickReport& pick : report.picks) json["picks"].push_back(pickJson(pick));
 
   const ToldEnd end = report.end.value_or(ToldEnd());
   json["reason"] = end.reason;
-  json["cell_seconds"] = report.end ? Json(end.cell_seconds) : Json();
+  json["cell_seconds"] = report.end ? OrderedJson(end.cell_seconds) : OrderedJson();
   json["rounds"] = end.rounds;
-  json["told"] = Json::array();
+  json["told"] = OrderedJson::array();
   for (const ToldObject& told : end.objects)
     json["told"].push_back({{"name", told.name}, {"outcome", told.outcome}, {"reason", told.reason}});
   if (report.looks > 0) json["looks"] = report.looks;
@@ -69,8 +69,8 @@ Json reportTree(const ClearingReport& report) {
 }
 
 // Names come from files: bytes that are not UTF-8 are replaced, not refused.
-std::string textOf(const Json& json) {
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string textOf(const OrderedJson& json) {
+  return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ std::string reportJson(const ClearingReport& report) { return textOf(reportTree(
 
 std::string reportsJson(const std::vector<ClearingReport>& reports) {
   int cleared = 0, parts = 0, carried = 0, collisions = 0;
-  Json scenes = Json::array();
+  OrderedJson scenes = OrderedJson::array();
   for (const ClearingReport& report : reports) {
     cleared += report.cleared;
     parts += int(report.parts.size());

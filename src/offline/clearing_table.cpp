@@ -7,7 +7,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kDegrees = 180 / M_PI;
+constexpr double kDegreesPerRadian = 180 / M_PI;
 
 std::string format(const char* form, ...) {
   std::array<char, 512> text{};
@@ -41,7 +41,7 @@ std::string partRow(const PartReport& part) {
     const GraspError& error = *part.last->error;
     cells[1] = millimetres(error.recognised);
     cells[2] = millimetres(error.truth);
-    cells[3] = format("%.2f mm, %.2f deg", 1e3 * error.distance, kDegrees * error.angle);
+    cells[3] = format("%.2f mm, %.2f deg", 1e3 * error.distance, kDegreesPerRadian * error.angle);
   }
   if (part.last && part.last->result)
     cells[4] =

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "planning/limits.h"
 #include "planning/pick_ways.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kSearches = 4;     // that may use up their share of the budget
 constexpr double kThere = 1e-6;  // no motion is needed for less [rad]
 
 class Mover {
@@ -69,10 +69,10 @@ class Mover {
       else
         free.push_back(goal);
     }
-    if (free.empty() || failed_searches_ >= kSearches) return false;
+    if (free.empty() || failed_searches_ >= kFailedSearches) return false;
 
     PathOptions options = options_.path;
-    options.budget = std::max(1, options.budget / kSearches);
+    options.budget = std::max(1, options.budget / kFailedSearches);
     const JointPath path = planPath(arm_.arm.options().joints, at_, free, testIn(world_), options);
     if (!path.found()) {
       ++failed_searches_;

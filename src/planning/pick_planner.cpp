@@ -6,13 +6,11 @@
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "planning/limits.h"
 #include "planning/pick_ways.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-constexpr double kNearCorner = 0.002;  // straight lines stay straight [rad]
-constexpr int kSearches = 4;           // that may use up their share of the budget
 
 void requireRequest(const CollisionWorld& world, const ToolArm& arm, const PickRequest& request) {
   const PickTarget& target = request.target;
@@ -71,9 +69,9 @@ class Planner {
   JointPath search(const CollisionWorld& world, const JointVector& from, const JointVector& to,
                    PickOutcome none, const char* what) {
     JointPath path;
-    if (failed_searches_ >= kSearches) return path;
+    if (failed_searches_ >= kFailedSearches) return path;
     PathOptions options = options_.path;
-    options.budget = std::max(1, options.budget / kSearches);
+    options.budget = std::max(1, options.budget / kFailedSearches);
     path = planPath(arm_.arm.options().joints, from, {to}, testIn(world), options);
     if (path.found()) return path;
     ++failed_searches_;

@@ -4,13 +4,11 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/planning/move_planner.h"
+#include "planning/limits.h"
 #include "planning/pick_ways.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-constexpr double kNearCorner = 0.002;  // straight lines stay straight [rad]
-constexpr int kSearches = 4;           // that may use up their share of the budget
 
 void requireRequest(const CollisionWorld& world, const ToolArm& arm, const PlaceRequest& request) {
   if (!world.has(request.object)) throw BadInput("the object \"" + request.object + "\" is not in the world");
@@ -81,9 +79,9 @@ class Placer {
   }
 
   JointPath search(const JointVector& above) {
-    if (failed_searches_ >= kSearches) return {};
+    if (failed_searches_ >= kFailedSearches) return {};
     PathOptions options = options_.path;
-    options.budget = std::max(1, options.budget / kSearches);
+    options.budget = std::max(1, options.budget / kFailedSearches);
     const JointPath path =
         planPath(arm_.arm.options().joints, departure_.end, {above}, testIn(worlds_.carry), options);
     if (path.found()) return path;

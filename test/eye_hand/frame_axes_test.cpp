@@ -31,7 +31,7 @@ TEST_F(FrameAxesTest, AnOpticalFrameIsNone) {
   EXPECT_EQ(axesOf(view(optical, {}), models_, 0.3), FrameAxes::kUnknown);
 }
 
-TEST_F(FrameAxesTest, AFrameAxesTestIsSeen) {
+TEST_F(FrameAxesTest, ABodyFrameIsSeen) {
   const Eigen::Matrix3d body = bodyFromOptical().transpose();
   EXPECT_EQ(axesOf(view(body, {{0.5, 0.05, 0.3}}), models_, 0.3), FrameAxes::kBody);
   EXPECT_EQ(axesOf(view(body, {{0.5, 0.05, 0.3}, {0.4, -0.1, 0.3}}), models_, 0.3), FrameAxes::kBody);

@@ -92,7 +92,7 @@ TEST_F(ClearFrameTool, unknown_keys_are_refused_by_name_and_those_of_nodes_are_n
 }
 
 TEST_F(ClearFrameTool, a_scene_that_cannot_be_arranged_ends_with_two) {
-  write("cell.yaml", "random: {objects: 60}\n");
+  write("cell.yaml", "random: {objects: 20, gap: 0.05}\n");
   const ProgramResult full = clearFrame("--cell cell.yaml --seeds 0-0");
   EXPECT_EQ(full.code, 2) << full.out;
   EXPECT_THAT(full.err, HasSubstr("seed 0: "));
