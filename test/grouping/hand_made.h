@@ -5,7 +5,6 @@
 
 #include "grouping/segment_ends.h"
 #include "monocular_eye_hand/grouping/grouping.h"
-#include "support/random.h"
 
 // Models and features made by hand, so that these tests depend on no other room's algorithms.
 namespace monocular_eye_hand::hand_made {
@@ -153,7 +152,9 @@ inline KnownObject known(const ObjectModel& m, int view_count = 2000) {
 
 /// A pose that looks at the object's origin from a random side.
 inline Rigid3 randomPose(std::mt19937* random, double distance) {
-  return {randomRotation(*random), Eigen::Vector3d(0, 0, distance)};
+  std::normal_distribution<double> normal;
+  Eigen::Quaterniond q(normal(*random), normal(*random), normal(*random), normal(*random));
+  return {q.normalized().toRotationMatrix(), Eigen::Vector3d(0, 0, distance)};
 }
 
 /// The visible edges of a convex polyhedron as segments; segment i is the image of edge (*edges)[i].

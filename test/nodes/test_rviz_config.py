@@ -22,7 +22,7 @@ class Config(unittest.TestCase):
         self.file = name
         self.config = yaml.safe_load(read("rviz", name))["Visualization Manager"]
         self.displays = {display["Class"]: display for display in self.config["Displays"]}
-        self.names = dict(re.findall(r'constexpr char k(\w+)\[\] = "(\w+)"', read("src", "nodes", "names.h")))
+        self.names = dict(re.findall(r'constexpr char k(\w+)\[\] = "(\w+)"', read("src", "nodes", "common", "names.h")))
 
     def check_window(self):
         """The overlay is readable at once: its panel is the larger part of the left side, and not hidden."""
@@ -91,14 +91,14 @@ class TestDemoConfig(Config):
         self.assertEqual(self.displays["rviz/Image"]["Image Topic"], "/recognizer/" + self.names["Overlay"])
         self.assertIn("rviz/TF", self.displays)
         shown = {d["Marker Topic"]: d["Class"] for d in self.config["Displays"] if "Marker Topic" in d}
-        for node, name, file in (("recognizer", "Markers", "outputs.cpp"), ("eye_hand", "Markers", "eye_hand_outputs.cpp"),
-                                 ("recognizer", "View", "outputs.cpp"), ("planner", "Path", "planner_node.cpp"),
-                                 ("planner", "Cell", "planner_node.cpp")):
-            kind = re.search(r"advertise<visualization_msgs::(\w+)>\(names::k%s," % name, read("src", "nodes", file)).group(1)
+        for node, name, file in (("recognizer", "Markers", "outputs.cpp"), ("eye_hand", "Markers", "outputs.cpp"),
+                                 ("recognizer", "View", "outputs.cpp"), ("planner", "Path", "node.cpp"),
+                                 ("planner", "Cell", "node.cpp")):
+            kind = re.search(r"advertise<visualization_msgs::(\w+)>\(names::k%s," % name, read("src", "nodes", node, file)).group(1)
             self.assertEqual(shown["/%s/%s" % (node, self.names[name])], "rviz/" + kind)
 
     def test_frames_and_topics_are_those_of_the_launch_file(self):
-        names = read("src", "nodes", "names.h")
+        names = read("src", "nodes", "common", "names.h")
         frame = self.config["Global Options"]["Fixed Frame"]
         self.assertIn('kBaseFrame[] = "%s"' % frame, names)
         launch = xml.etree.ElementTree.fromstring(read("launch", "demo.launch"))

@@ -25,10 +25,10 @@ TEST(RecognitionOptions, AValueOutOfRangeIsNamedWithItsValueAndTheRule) {
       {"min_size", "2", "at least"},           {"min_in_frame", "0", "(0, 1]"},
       {"min_in_frame", "1.5", "(0, 1]"},       {"search_width", "100", "at least"},
       {"refined_per_object", "0", "positive"}, {"verified_per_object", "-3", "positive"},
-      {"thorough_models", "0", "positive"},    {"budget", "-1", "negative"},
-      {"time_limit", "-2", "negative"},        {"threads", "-1", "negative"},
+      {"thorough_models", "0", "positive"},    {"budget", "-1", "0 or more"},
+      {"time_limit", "-2", "0 or more"},       {"threads", "-1", "0 or more"},
       {"accept_probability", "1", "(0, 1)"},   {"accept_probability", "0", "(0, 1)"},
-      {"rest_log_odds", "-0.5", "negative"},   {"ambiguous_ratio", "0", "(0, 1]"},
+      {"rest_log_odds", "-0.5", "0 or more"},  {"ambiguous_ratio", "0", "(0, 1]"},
       {"ambiguous_ratio", "1.25", "(0, 1]"}};
   for (const auto& [field, value, rule] : bad) {
     EXPECT_THAT(refusalOf(std::string(field) + ": " + value),
