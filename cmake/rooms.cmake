@@ -5,7 +5,7 @@
 #   helper(<name> SOURCES <file>... [LINK <target>...])     program that a room starts, in a folder beside its library
 #   room_test(<room> <name> SOURCES <file>... [LINK ...])   gtest in test/<room>/, built by the target `tests`, run by ctest;
 #                                                         what tests of several rooms use is "support/x.h"
-# The sources of a room are compiled in batches of eight: their common templates are made once, which takes 0.6 of the
+# The sources of a room are compiled in batches of eight: their common templates are made once, which takes half the
 # time. Who works on a room compiles less after each change with -DMONOCULAR_EYE_HAND_UNITY_BUILD=OFF.
 include(CMakeParseArguments)
 option(MONOCULAR_EYE_HAND_UNITY_BUILD "Compile the sources of a room in batches" ON)
