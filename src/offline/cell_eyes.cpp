@@ -1,6 +1,7 @@
 #include "offline/cell_eyes.h"
 
 #include "monocular_eye_hand/grasp/known_cell.h"
+#include "offline/cell_robot.h"
 #include "offline/wall_clock.h"
 
 namespace monocular_eye_hand {
@@ -52,8 +53,7 @@ RecognitionResult CellEyes::recognise(const CellImage& image) {
 
 ObjectView CellEyes::viewOf(const CellImage& image, const RecognitionResult& result) const {
   const ArmDescription& arm = cell_.arm();
-  const GripperReading gripper{image.time, cell_.gripperWidth(), cell_.gripperMoving(),
-                               cell_.gripperStalled()};
+  const GripperReading gripper = gripperOf(cell_);
 
   ObjectView view;
   view.stamp = image.time;

@@ -26,6 +26,10 @@ std::vector<CellPathPoint> pathOf(const Trajectory& trajectory) {
 
 }  // namespace
 
+GripperReading gripperOf(const WorkCell& cell) {
+  return {cell.time(), cell.gripperWidth(), cell.gripperMoving(), cell.gripperStalled()};
+}
+
 CellRobot::CellRobot(WorkCell* cell, double period) : cell_(*cell), period_(period) { tell(); }
 
 void CellRobot::send(const Trajectory& trajectory) {
@@ -71,7 +75,7 @@ void CellRobot::rest(double seconds) {
 void CellRobot::tell() {
   next_ = cell_.time() + period_;
   joints_ = {cell_.time(), cell_.joints(), cell_.velocities().cwiseAbs().maxCoeff()};
-  gripper_ = {cell_.time(), cell_.gripperWidth(), cell_.gripperMoving(), cell_.gripperStalled()};
+  gripper_ = gripperOf(cell_);
 
   untaken_.push_back(joints_);
   if (untaken_.size() > kMostUntaken) untaken_.erase(untaken_.begin());

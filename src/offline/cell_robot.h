@@ -7,6 +7,9 @@
 
 namespace monocular_eye_hand {
 
+/// Where the fingers of the cell are now.
+GripperReading gripperOf(const WorkCell& cell);
+
 /// Arm and gripper of a work cell. They move while somebody waits, in the thread that waits: both clocks are
 /// the cell's, and nothing depends on how fast the machine is.
 class CellRobot : public Robot {

@@ -78,20 +78,15 @@ std::string textOf(const OrderedJson& json) {
 std::string reportJson(const ClearingReport& report) { return textOf(reportTree(report)); }
 
 std::string reportsJson(const std::vector<ClearingReport>& reports) {
-  int cleared = 0, parts = 0, carried = 0, collisions = 0;
+  const ClearingSums sums = sumsOf(reports);
   OrderedJson scenes = OrderedJson::array();
-  for (const ClearingReport& report : reports) {
-    cleared += report.cleared;
-    parts += int(report.parts.size());
-    carried += report.carried();
-    collisions += report.collisions;
-    scenes.push_back(reportTree(report));
-  }
+  for (const ClearingReport& report : reports) scenes.push_back(reportTree(report));
+
   return textOf({{"format", "monocular_eye_hand clearing 1"},
-                 {"cleared", cleared},
-                 {"parts", parts},
-                 {"carried", carried},
-                 {"collisions", collisions},
+                 {"cleared", sums.cleared},
+                 {"parts", sums.parts},
+                 {"carried", sums.carried},
+                 {"collisions", sums.collisions},
                  {"scenes", scenes}});
 }
 

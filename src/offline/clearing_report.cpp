@@ -65,6 +65,17 @@ int ClearingReport::carried() const {
   return int(std::count_if(parts.begin(), parts.end(), [](const PartReport& p) { return p.in_drop_zone; }));
 }
 
+ClearingSums sumsOf(const std::vector<ClearingReport>& reports) {
+  ClearingSums sums;
+  for (const ClearingReport& report : reports) {
+    sums.cleared += report.cleared;
+    sums.parts += int(report.parts.size());
+    sums.carried += report.carried();
+    sums.collisions += report.collisions;
+  }
+  return sums;
+}
+
 ClearingReport reportOf(const ClearingRecord& record, const ModelBase& models) {
   ClearingReport report;
   report.seed = record.seed;

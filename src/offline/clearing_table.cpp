@@ -1,6 +1,6 @@
+#include <fmt/format.h>
+
 #include <array>
-#include <cstdarg>
-#include <cstdio>
 
 #include "monocular_eye_hand/offline/clearing_report.h"
 
@@ -9,23 +9,13 @@ namespace {
 
 constexpr double kDegreesPerRadian = 180 / M_PI;
 
-std::string format(const char* form, ...) {
-  std::array<char, 512> text{};
-  va_list values;
-  va_start(values, form);
-  std::vsnprintf(text.data(), text.size(), form, values);
-  va_end(values);
-  return text.data();
-}
-
 std::string row(const std::array<std::string, 6>& cells) {
-  return format("%-12s %-26s %-26s %-18s %-18s ", cells[0].c_str(), cells[1].c_str(), cells[2].c_str(),
-                cells[3].c_str(), cells[4].c_str()) +
-         cells[5] + "\n";
+  return fmt::format("{:<12} {:<26} {:<26} {:<18} {:<18} {}\n", cells[0], cells[1], cells[2], cells[3],
+                     cells[4], cells[5]);
 }
 
 std::string millimetres(const Eigen::Vector3d& p) {
-  return format("(%.1f, %.1f, %.1f)", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
+  return fmt::format("({:.1f}, {:.1f}, {:.1f})", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
 }
 
 std::string outcomeOf(const PartReport& part) {
@@ -41,16 +31,16 @@ std::string partRow(const PartReport& part) {
     const GraspError& error = *part.last->error;
     cells[1] = millimetres(error.recognised);
     cells[2] = millimetres(error.truth);
-    cells[3] = format("%.2f mm, %.2f deg", 1e3 * error.distance, kDegreesPerRadian * error.angle);
+    cells[3] = fmt::format("{:.2f} mm, {:.2f} deg", 1e3 * error.distance, kDegreesPerRadian * error.angle);
   }
   if (part.last && part.last->result)
-    cells[4] =
-        format("%.0f ms / %.1f s", 1e3 * part.last->result->planning_time, part.last->result->motion_time);
+    cells[4] = fmt::format("{:.0f} ms / {:.1f} s", 1e3 * part.last->result->planning_time,
+                           part.last->result->motion_time);
   return row(cells);
 }
 
 std::string several(int count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -63,8 +53,8 @@ std::string reportTable(const ClearingReport& report) {
   const std::string collisions = several(report.collisions, "collision");
   if (!report.end) return table + "\nno result; " + collisions + "\n";
   return table + "\n" + report.end->reason + "; " + collisions + "; " +
-         format("%.1f s of cell time, ", report.end->cell_seconds) + several(report.end->rounds, "round") +
-         "\n";
+         fmt::format("{:.1f} s of cell time, ", report.end->cell_seconds) +
+         several(report.end->rounds, "round") + "\n";
 }
 
 }  // namespace monocular_eye_hand

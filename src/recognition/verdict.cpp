@@ -49,6 +49,7 @@ std::string whyDecided(const Verdict& verdict, const Candidate& best, double acc
   switch (verdict.decision) {
     case Decision::kRejected: {
       if (!best.support.refused.empty()) return best.support.refused;
+
       std::string reason = fmt::format("probability {:g} below {:g}",
                                        std::round(100 * best.probability) / 100, accept_probability);
       const char* separator = ": ";

@@ -68,7 +68,7 @@ int reportRecord(const Arguments& args) {
   std::ifstream file(args.record);
   if (!file) throw BadInput(args.record + ": cannot be read");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const ModelBase models = loadModelBase(objectsFile(args.files), {}, "", tellProgress);
+  const ModelBase models = loadModels(objectsFile(args.files), ModelDepth::kShape, {}, "", tellProgress);
   const ClearingReport report = reportOf(parseRecord(text, args.record), models);
 
   if (args.json != "-") std::cout << "\n" << reportTable(report) << std::flush;
@@ -102,21 +102,17 @@ void printScene(const ClearingReport& report) {
   std::fflush(stdout);
 }
 
-void printSums(const std::vector<ClearingReport>& reports, size_t scenes) {
-  size_t cleared = 0, parts = 0, carried = 0;
-  int collisions = 0;
+void printSums(const std::vector<ClearingReport>& reports, int scenes) {
+  if (reports.empty()) return;
   std::vector<double> cell, wall;
   for (const ClearingReport& report : reports) {
-    cleared += report.cleared;
-    parts += report.parts.size();
-    carried += size_t(report.carried());
-    collisions += report.collisions;
     cell.push_back(report.end->cell_seconds);
     wall.push_back(report.times->all);
   }
-  if (reports.empty()) return;
-  std::printf("%zu of %zu cleared, %zu of %zu parts, %d collisions; median %.1f s of cell time, %.1f s\n",
-              cleared, scenes, carried, parts, collisions, median(&cell), median(&wall));
+
+  const ClearingSums sums = sumsOf(reports);
+  std::printf("%d of %d cleared, %d of %d parts, %d collisions; median %.1f s of cell time, %.1f s\n",
+              sums.cleared, scenes, sums.carried, sums.parts, sums.collisions, median(&cell), median(&wall));
 }
 
 int clearMany(const Arguments& args) {
@@ -142,7 +138,7 @@ int clearMany(const Arguments& args) {
     }
   }
 
-  if (print) printSums(reports, size_t(last - first + 1));
+  if (print) printSums(reports, last - first + 1);
   if (!args.json.empty()) writeText(args.json, reportsJson(reports));
   return code;
 }

@@ -44,6 +44,12 @@ struct ClearingReport {
   bool good() const { return cleared && collisions == 0; }
 };
 
+/// Of several scenes.
+struct ClearingSums {
+  int cleared = 0, parts = 0, carried = 0, collisions = 0;
+};
+ClearingSums sumsOf(const std::vector<ClearingReport>& reports);
+
 /// Compares what the task did with the truth. Throws BadInput on a name that is not in `models`.
 ClearingReport reportOf(const ClearingRecord& record, const ModelBase& models);
 
