@@ -61,6 +61,7 @@ class Run:
         self.picks = []   # {target, truth at that time, planning, motion, outcome, reason}
         self.places = []
         self.stages = []
+        self.hits = []    # lines of the work cell's truth
         self.overlay = None
         self.pictures = 0
 
@@ -105,6 +106,7 @@ class Run:
 
     def on_truth(self, message):
         self.truth = message
+        self.hits += [event for event in message.events if ": collision: " in event]
 
     def on_pick_goal(self, message):
         self.picks.append({"target": message.goal.target, "truth": self.truth})
@@ -179,8 +181,8 @@ def pick_record(pick):
 def record_of(run, result):
     """What happened, as the program clear_frame reads it (docs/json.md)."""
     told = [{"name": c.object.name, "outcome": OUTCOMES[c.outcome], "reason": c.reason} for c in result.objects]
-    return {"seed": run.options.seed, "collisions": run.truth.collisions, "truth": truth_of(run.truth),
-            "picks": [pick_record(pick) for pick in run.picks],
+    return {"seed": run.options.seed, "collisions": run.truth.collisions, "hits": run.hits,
+            "truth": truth_of(run.truth), "picks": [pick_record(pick) for pick in run.picks],
             "end": {"reason": result.reason, "cell_seconds": result.duration, "rounds": result.rounds, "told": told}}
 
 

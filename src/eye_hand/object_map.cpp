@@ -20,6 +20,15 @@ namespace {
 
 std::string label(const MappedObject& object) { return fmt::format("{} {}", object.name, object.number); }
 
+// Of a probability by recognition, which is never sure.
+double logOdds(double probability) {
+  constexpr double kSure = 0.999;
+  const double p = std::clamp(probability, 1 - kSure, kSure);
+  return std::log(p / (1 - p));
+}
+
+double probabilityOf(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
+
 void checkView(const ObjectView& view, const ModelBase& models) {
   if (!std::isfinite(view.stamp)) throw BadInput("the view's stamp is not finite");
   view.camera.check();
@@ -69,16 +78,16 @@ ViewReport ObjectMap::add(const ObjectView& view) {
   std::vector<Observation> observations, impossible_observations;
   std::vector<size_t> source;
   for (size_t i = 0; i < view.objects.size(); ++i) {
-    if (view.objects[i].probability < options_.min_probability) {
-      report.decisions[i].reason = fmt::format("probability {:g} is below min_probability {:g}",
-                                               view.objects[i].probability, options_.min_probability);
+    if (view.objects[i].probability < options_.doubtful_probability) {
+      report.decisions[i].reason = fmt::format("probability {:.2g} is below doubtful_probability {:g}",
+                                               view.objects[i].probability, options_.doubtful_probability);
       continue;
     }
     const Observation seen = observationOf(view, view.objects[i]);
     if (const std::string why = impossible(seen, view.known); !why.empty()) {
       report.decisions[i].reason = why;
       report.decisions[i].impossible = true;
-      impossible_observations.push_back(seen);
+      if (!doubtful(seen)) impossible_observations.push_back(seen);
       continue;
     }
     observations.push_back(seen);
@@ -95,18 +104,17 @@ ViewReport ObjectMap::add(const ObjectView& view) {
 
   for (size_t k = 0; k < observations.size(); ++k) {
     ViewDecision& decision = report.decisions[source[k]];
-    if (track_of[k] >= 0) {
-      updated[size_t(track_of[k])] = 1;
-      decision = update(&tracks_[size_t(track_of[k])], observations[k], chi_squares[k], view.stamp);
-    } else {
-      tracks_.push_back(newTrack(observations[k], view.stamp));
+    if (track_of[k] < 0) {
+      decision = begin(observations[k], view.stamp);
       updated.push_back(1);
-      MappedObject& object = tracks_.back().object;
-      object.number = next_number_[size_t(object.object)]++;
-      decision.outcome = ViewOutcome::kNew;
-      decision.number = object.number;
-      decision.reason = "no known " + object.name + " is there";
+      continue;
     }
+
+    Track* track = &tracks_[size_t(track_of[k])];
+    decision = update(track, observations[k], chi_squares[k], view.stamp);
+    if (decision.outcome == ViewOutcome::kRefused) continue;
+    updated[size_t(track_of[k])] = 1;
+    believe(track, &decision);
   }
 
   findRivals();
@@ -121,6 +129,47 @@ ViewReport ObjectMap::add(const ObjectView& view) {
                                        models_->objects[size_t(track.suppressed_by->first)].model.name,
                                        track.suppressed_by->second);
   return report;
+}
+
+bool ObjectMap::doubtful(const Observation& seen) const {
+  return seen.probability < options_.min_probability;
+}
+
+double ObjectMap::probability(const Track& track) const {
+  const double best = track.merged.probability;
+  return best >= options_.min_probability ? best : std::max(best, probabilityOf(track.evidence));
+}
+
+double ObjectMap::evidenceOf(const std::vector<Observation>& agreeing) const {
+  double evidence = 0;
+  for (const Observation& seen : agreeing) evidence += logOdds(seen.probability);
+  return evidence + double(agreeing.size() - 1) * std::log(options_.agreement_odds);
+}
+
+ViewDecision ObjectMap::begin(const Observation& seen, double stamp) {
+  tracks_.push_back(newTrack(seen, stamp));
+  Track& track = tracks_.back();
+  track.object.number = next_doubtful_--;
+
+  ViewDecision decision;
+  decision.object = seen.object;
+  decision.outcome = ViewOutcome::kDoubtful;
+  decision.reason =
+      fmt::format("probability {:.2f} is below min_probability {:g}: kept until other views agree",
+                  seen.probability, options_.min_probability);
+  believe(&track, &decision);
+  if (track.believed) decision.reason = "no known " + track.object.name + " is there";
+  return decision;
+}
+
+void ObjectMap::believe(Track* track, ViewDecision* decision) {
+  if (track->believed || probability(*track) < options_.min_probability) return;
+  track->believed = true;
+  track->object.number = next_number_[size_t(track->object.object)]++;
+  decision->outcome = ViewOutcome::kNew;
+  decision->number = track->object.number;
+  decision->reason =
+      fmt::format("{} views together make it likely: {:.2f}", track->object.views, probability(*track));
 }
 
 void ObjectMap::addFloor(Matrix6d* covariance) const {
@@ -185,17 +234,19 @@ bool ObjectMap::samePlace(const Observation& a, const Observation& b) const {
 
 std::vector<int> ObjectMap::associate(const std::vector<Observation>& observations,
                                       std::vector<double>* chi_squares) const {
-  std::vector<std::tuple<bool, double, size_t, size_t>>
-      pairs;  // outside the gate, chi square, track, observation
+  std::vector<std::tuple<bool, bool, double, size_t, size_t>>
+      pairs;  // outside the gate, a doubtful track, chi square, track, observation
   for (size_t t = 0; t < tracks_.size(); ++t) {
     const Observation& known = tracks_[t].merged;
+    const bool unsure = !tracks_[t].believed;
     for (size_t k = 0; k < observations.size(); ++k) {
       if (observations[k].object != known.object) continue;
       const double chi_square = chiSquare(known, observations[k]);
       const bool outside = !(chi_square <= options_.gate);
+      if (outside && unsure && doubtful(observations[k])) continue;  // of two doubts neither counts more
       if (samePlace(known, observations[k]) ||
           (!outside && centreOffset(known, observations[k]).norm() <= options_.max_distance))
-        pairs.emplace_back(outside, chi_square, t, k);
+        pairs.emplace_back(outside, unsure, chi_square, t, k);
     }
   }
 
@@ -203,7 +254,7 @@ std::vector<int> ObjectMap::associate(const std::vector<Observation>& observatio
   std::vector<int> track_of(observations.size(), -1);
   std::vector<char> taken(tracks_.size(), 0);
   chi_squares->assign(observations.size(), -1);
-  for (const auto& [outside, chi_square, t, k] : pairs) {
+  for (const auto& [outside, unsure, chi_square, t, k] : pairs) {
     if (taken[t] || track_of[k] >= 0) continue;
     taken[t] = 1;
     track_of[k] = int(t);
@@ -216,7 +267,7 @@ ViewDecision ObjectMap::update(Track* track, const Observation& seen, double chi
   if (!(chi_square <= options_.gate)) return handleOutlier(track, seen, chi_square, stamp);
   ViewDecision decision;
   decision.object = seen.object;
-  decision.number = track->object.number;
+  decision.number = track->believed ? track->object.number : -1;
   decision.chi_square = chi_square;
   track->outliers.clear();
   track->object.misses = 0;
@@ -236,6 +287,11 @@ ViewDecision ObjectMap::update(Track* track, const Observation& seen, double chi
     decision.outcome = ViewOutcome::kMerged;
     decision.reason = "agrees with " + label(track->object);
   }
+  if (!track->believed) {
+    decision.outcome = ViewOutcome::kDoubtful;
+    decision.reason =
+        fmt::format("{} views together: probability {:.2f}", track->object.views, probability(*track));
+  }
   return decision;
 }
 
@@ -247,6 +303,10 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
   decision.chi_square = chi_square;
   const std::string text = fmt::format("chi-square {:g} against {} is above the gate of {:g}", chi_square,
                                        label(track->object), options_.gate);
+  if (doubtful(seen)) {
+    decision.reason = text + ", and recognition doubts it";
+    return decision;
+  }
 
   const auto disagrees = [&](const Observation& other) { return !(chiSquare(other, seen) <= options_.gate); };
   if (std::any_of(track->outliers.begin(), track->outliers.end(), disagrees)) track->outliers.clear();
@@ -255,17 +315,20 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
   track->object.misses = 0;  // something of this name is there
   track->missed_from.clear();
 
-  if (int(track->outliers.size()) < options_.outliers_to_restart) {
+  const bool surer = evidenceOf(track->outliers) > track->evidence;
+  if (int(track->outliers.size()) < options_.outliers_to_restart && !surer) {
     decision.outcome = ViewOutcome::kOutlier;
     decision.reason = text;
     return decision;
   }
 
-  const int number = track->object.number;
-  *track = newTrack(seen, stamp);
-  track->object.number = number;
+  Track restarted = newTrack(seen, stamp);
+  restarted.object.number = track->object.number;
+  restarted.believed = track->believed;
+  *track = std::move(restarted);
   decision.outcome = ViewOutcome::kRestarted;
-  decision.reason = text + "; so many views in a row agree on another pose: it was moved";
+  decision.reason = text + (surer ? "; what speaks for the new pose is more than what spoke for the old one"
+                                  : "; so many views in a row agree on another pose: it was moved");
   return decision;
 }
 
@@ -279,6 +342,7 @@ ObjectMap::Track ObjectMap::newTrack(const Observation& seen, double stamp) cons
   track.object.views = 1;
   track.object.first_stamp = track.object.last_stamp = stamp;
   track.base_from_cameras = {seen.base_from_camera};
+  track.evidence = evidenceOf({seen});
   return track;
 }
 
@@ -298,6 +362,7 @@ void ObjectMap::merge(Track* track, const Observation& seen) const {
   merged.hand_eye = rest * merged.hand_eye + gain * seen.hand_eye;
   merged.joints = rest * merged.joints + gain * seen.joints;
   track->base_from_cameras.push_back(seen.base_from_camera);
+  track->evidence += logOdds(seen.probability) + std::log(options_.agreement_odds);
   ++track->object.views;
 }
 
@@ -321,7 +386,7 @@ void ObjectMap::publish(Track* track) const {
   Matrix6d total = totalCovariance(merged);
   addFloor(&total);  // what CAD and part differ by is the same in every view
   object.base_from_object = merged.base_from_object;
-  object.probability = merged.probability;
+  object.probability = probability(*track);
   object.covariance = withFreeAxisVariance(shape, object.base_from_object, total);
   object.image_covariance = withFreeAxisVariance(shape, object.base_from_object, merged.image);
   object.outliers = int(track->outliers.size());
@@ -332,7 +397,7 @@ bool ObjectMap::expected(const Track& track, const ObjectView& view) const {
   std::vector<PlacedModel> placed{{&model(track.object.object), track.merged.base_from_object}};
   for (const Track& other : tracks_) {
     const bool rival = std::find(track.rivals.begin(), track.rivals.end(), other.key()) != track.rivals.end();
-    if (&other != &track && !rival)
+    if (&other != &track && !rival && other.believed)
       placed.push_back({&model(other.object.object), other.merged.base_from_object});
   }
   const Rigid3 base_from_camera = view.hand.base_from_tool0 * view.hand_eye.tool0_from_camera;
@@ -373,10 +438,11 @@ void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& upd
     Track& track = tracks_[t];
     track.object.misses += missed[t];
     track.missed += missed[t];
+    if (!track.believed && missed[t]) track.evidence -= std::log(options_.agreement_odds);
     if (missed[t]) track.missed_from.push_back(base_from_camera);
     if (track.object.misses >= options_.forget_after_misses) {
       publish(&track);
-      if (!track.suppressed_by) report->forgotten.push_back(track.object);
+      if (track.told()) report->forgotten.push_back(track.object);
     } else {
       kept.push_back(std::move(track));
     }
@@ -387,7 +453,7 @@ void ObjectMap::countMisses(const ObjectView& view, const std::vector<char>& upd
 std::vector<MappedObject> ObjectMap::objects() const {
   std::vector<MappedObject> objects;
   for (const Track& track : tracks_)
-    if (!track.suppressed_by) objects.push_back(track.object);
+    if (track.told()) objects.push_back(track.object);
   std::sort(objects.begin(), objects.end(), [](const MappedObject& a, const MappedObject& b) {
     return std::tie(a.object, a.number) < std::tie(b.object, b.number);
   });

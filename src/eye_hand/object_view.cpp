@@ -14,6 +14,8 @@ std::string toString(ViewOutcome outcome) {
       return "restarted";
     case ViewOutcome::kOutlier:
       return "outlier";
+    case ViewOutcome::kDoubtful:
+      return "doubtful";
     case ViewOutcome::kRefused:
       return "refused";
   }

@@ -10,6 +10,9 @@ void ObjectMapOptions::check() const {
   hand_eye.check();
 
   requireShare("min_probability", min_probability);
+  require(doubtful_probability >= 0 && doubtful_probability <= min_probability, "doubtful_probability",
+          doubtful_probability, "0 to min_probability");
+  require(agreement_odds >= 1, "agreement_odds", agreement_odds, "1 or more");
   requirePositive("floor_position", floor_position);
   requirePositive("floor_rotation", floor_rotation);
   requirePositive("gate", gate);

@@ -31,8 +31,9 @@ void ObjectMap::findRivals() {
 }
 
 void ObjectMap::resolveConflicts() {
-  std::vector<Track*> ranked;
-  for (Track& track : tracks_) ranked.push_back(&track);
+  std::vector<Track*> ranked;  // a doubt suppresses nothing
+  for (Track& track : tracks_)
+    if (track.believed) ranked.push_back(&track);
   // What things lie in is suppressed by none of them.
   const auto rank = [this](const Track* track) {
     const MappedObject& o = track->object;

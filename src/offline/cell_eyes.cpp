@@ -9,11 +9,13 @@ namespace {
 
 constexpr int kCameraThreads = 1;
 
-std::vector<SeenObject> seenObjects(const std::vector<ObjectEstimate>& estimates) {
+/// Rejected ones, too: the map weighs what several views say of them.
+std::vector<SeenObject> seenObjects(const RecognitionResult& result) {
   std::vector<SeenObject> objects;
-  for (const ObjectEstimate& estimate : estimates)
-    objects.push_back(
-        {estimate.object, estimate.camera_from_object, estimate.covariance, estimate.probability});
+  for (const std::vector<ObjectEstimate>* estimates : {&result.objects, &result.rejected})
+    for (const ObjectEstimate& estimate : *estimates)
+      objects.push_back(
+          {estimate.object, estimate.camera_from_object, estimate.covariance, estimate.probability});
   return objects;
 }
 
@@ -64,7 +66,7 @@ ObjectView CellEyes::viewOf(const CellImage& image, const RecognitionResult& res
       knownCell(options_.grasping, tableHeight(), view.hand.base_from_tool0 * arm.tool0_from_tcp, gripper);
   // What the hand holds, of whatever shape, hides much.
   view.complete = !result.truncated && !result.budget_spent && !gripper.holds(options_.grasping.held_width);
-  view.objects = seenObjects(result.objects);
+  view.objects = seenObjects(result);
   return view;
 }
 

@@ -51,6 +51,7 @@ OrderedJson timesJson(const ClearingTimes& times) {
 
 OrderedJson reportTree(const ClearingReport& report) {
   OrderedJson json{{"seed", report.seed}, {"cleared", report.cleared}, {"collisions", report.collisions}};
+  if (!report.hits.empty()) json["hits"] = report.hits;
   json["objects"] = OrderedJson::array();
   for (const PartReport& part : report.parts) json["objects"].push_back(partJson(part));
   json["picks"] = OrderedJson::array();

@@ -80,6 +80,7 @@ ClearingReport reportOf(const ClearingRecord& record, const ModelBase& models) {
   ClearingReport report;
   report.seed = record.seed;
   report.collisions = record.collisions;
+  report.hits = record.hits;
   report.looks = record.looks;
   report.end = record.end;
   report.times = record.times;

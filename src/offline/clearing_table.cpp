@@ -50,6 +50,9 @@ std::string reportTable(const ClearingReport& report) {
       row({"object", "recognised (mm, base)", "truth", "grasp error", "plan / motion", "outcome"});
   for (const PartReport& part : report.parts) table += partRow(part);
 
+  for (const std::string& hit : report.hits) table += "\n" + hit;
+  if (!report.hits.empty()) table += "\n";
+
   const std::string collisions = several(report.collisions, "collision");
   if (!report.end) return table + "\nno result; " + collisions + "\n";
   return table + "\n" + report.end->reason + "; " + collisions + "; " +

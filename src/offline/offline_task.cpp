@@ -35,6 +35,13 @@ std::vector<ToldObject> toldObjects(const std::vector<TaskObject>& objects) {
   return told;
 }
 
+std::vector<std::string> hitsOf(const std::vector<CellEvent>& events) {
+  std::vector<std::string> hits;
+  for (const CellEvent& event : events)
+    if (event.kind == CellEvent::Kind::kCollision) hits.push_back(textOf(event));
+  return hits;
+}
+
 }  // namespace
 
 struct OfflineTask::Kit {
@@ -83,6 +90,7 @@ ClearingRecord OfflineTask::clear(int seed, const ClearingWatch& watch) const {
   record.picks = world.picks();
   record.truth = trueObjects(cell);
   record.collisions = cell.collisions();
+  record.hits = hitsOf(cell.events());
   record.looks = world.looks();
   record.end = ToldEnd{result.reason, cell_seconds, result.rounds, toldObjects(result.objects)};
   record.times = world.times();

@@ -59,6 +59,7 @@ ClearingRecord recordOf(const Json& json) {
   for (const Json& pick : json.at("picks")) record.picks.push_back(pickOf(pick));
   record.truth = truthOf(json.at("truth"));
   record.collisions = json.at("collisions");
+  record.hits = json.value("hits", record.hits);
   if (json.contains("end")) record.end = endOf(json.at("end"));
   return record;
 }

@@ -265,7 +265,8 @@ void ClearFrameTask::doubted() {
 // Several views agree on it, the last look among them, and no grasp of it was lost.
 bool ClearFrameTask::sure(const Key& key) {
   const MappedObject* object = known(key);
-  return object && object->views >= options_.confirm_views && object->outliers == 0 &&
+  return object && object->views >= options_.confirm_views &&
+         object->probability >= options_.confirm_probability && object->outliers == 0 &&
          object->last_stamp >= last_look_ && inFrame(*object) && entry(key).picks == 0;
 }
 

@@ -18,6 +18,7 @@ void ClearFrameOptions::check() const {
   requireAtLeast("overviews_again", overviews_again, 1);
   requireAtLeast("doubtful_misses", doubtful_misses, 1);
   requireAtLeast("confirm_views", confirm_views, 1);
+  requireShare("confirm_probability", confirm_probability);
   requireAtLeast("retry_wait", retry_wait, 0);
   requireAtLeast("doubtful_looks", doubtful_looks, 1);
   requireAtLeast("look_attempts", look_attempts, 1);

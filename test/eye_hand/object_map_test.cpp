@@ -23,6 +23,14 @@ const Eigen::Vector3d kLeft = kTarget + Eigen::Vector3d(0, 0.2, 0.5),
                       kFar = kTarget + Eigen::Vector3d(-0.2, 0, 0.6),
                       kNear = kTarget + Eigen::Vector3d(0.1, 0.1, 0.45);
 
+/// A bridge that recognition trusts so much.
+ObjectView bridgeAt(double stamp, const Eigen::Vector3d& eye, const Rigid3& base_from_bridge,
+                    double probability) {
+  ObjectView v = view(stamp, eye, kTarget, {{kBridge, base_from_bridge}});
+  v.objects[0].probability = probability;
+  return v;
+}
+
 TEST(ObjectMap, TwoOfANameKeepTheirNumbers) {
   ObjectMap map(&models());
   const Rigid3 a = upright(0.40, 0.06), b = upright(0.50, -0.06, 1), c = upright(0.45, 0.0);
@@ -83,6 +91,93 @@ TEST(ObjectMap, AnOutlierIsLeftOutAndAMovedObjectFollowed) {
   EXPECT_EQ(map.objects()[0].number, 0);
   EXPECT_EQ(map.objects()[0].views, 1);
   EXPECT_THAT(pushed, PoseNear(map.objects()[0].base_from_object, 1e-06, 6e-08));
+}
+
+TEST(ObjectMap, ADoubtfulPoseGivesWayToASureOneAtOnce) {
+  const Rigid3 doubtful = upright(0.45, 0), sure = upright(0.46, 0.01, 0.2);
+  ObjectMap map(&models());
+  map.add(bridgeAt(1, kLeft, doubtful, 0.7));
+  EXPECT_EQ(map.add(bridgeAt(2, kRight, sure, 0.6)).decisions[0].outcome, ViewOutcome::kOutlier)
+      << "still more doubtful";
+  map.clear();
+
+  map.add(bridgeAt(1, kLeft, doubtful, 0.7));
+  const ViewReport report = map.add(bridgeAt(2, kRight, sure, 0.99));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kRestarted);
+  EXPECT_THAT(report.decisions[0].reason, HasSubstr("more than what spoke for the old one"));
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].number, 0);
+  EXPECT_EQ(map.objects()[0].outliers, 0);
+  EXPECT_EQ(map.objects()[0].last_stamp, 2);
+  EXPECT_THAT(sure, PoseNear(map.objects()[0].base_from_object, 1e-06, 6e-08));
+}
+
+TEST(ObjectMap, APoseThatSeveralViewsAgreeOnYieldsToNoSingleView) {
+  ObjectMap map(&models());
+  map.add(bridgeAt(1, kLeft, upright(0.45, 0), 0.97));
+  map.add(bridgeAt(2, kRight, upright(0.45, 0), 0.97));
+  EXPECT_EQ(map.add(bridgeAt(3, kFar, upright(0.46, 0.01, 0.2), 0.99)).decisions[0].outcome,
+            ViewOutcome::kOutlier);
+}
+
+TEST(ObjectMap, WhatEveryViewDoubtsIsBelievedWhenTheyAgree) {
+  ObjectMap map(&models());
+  const Rigid3 there = upright(0.45, 0);
+  ViewReport report = map.add(bridgeAt(1, kLeft, there, 0.35));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kDoubtful);
+  EXPECT_EQ(report.decisions[0].number, -1);
+  EXPECT_TRUE(map.objects().empty());
+  report = map.add(bridgeAt(2, kLeft, there, 0.35));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kDoubtful) << "the same place errs in the same way";
+  EXPECT_TRUE(map.objects().empty());
+
+  report = map.add(bridgeAt(3, kRight, there, 0.45));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kNew);
+  EXPECT_THAT(report.decisions[0].reason, HasSubstr("2 views together make it likely"));
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].number, 0) << "a doubt takes no number";
+  EXPECT_EQ(map.objects()[0].views, 2);
+  const double odds = 0.35 / 0.65 * 0.45 / 0.55 * 4;  // agreement_odds
+  EXPECT_NEAR(map.objects()[0].probability, odds / (1 + odds), 1e-9);
+}
+
+TEST(ObjectMap, DoubtsThatDisagreeOrAreMissedStayDoubts) {
+  ObjectMap map(&models());
+  for (int k = 0; k < 4; ++k)
+    map.add(bridgeAt(k, k % 2 ? kLeft : kRight, upright(0.45 + (k % 2 ? 0.012 : -0.012), 0, 0.3 * k), 0.45));
+  EXPECT_TRUE(map.objects().empty());
+  map.clear();
+
+  map.add(bridgeAt(1, kLeft, upright(0.45, 0), 0.45));
+  map.add(view(2, kFar, kTarget, {}));
+  map.add(bridgeAt(3, kRight, upright(0.45, 0), 0.45));
+  EXPECT_TRUE(map.objects().empty()) << "one of three views did not show it";
+}
+
+TEST(ObjectMap, ADoubtHidesAndMovesNothing) {
+  ObjectMap map(&models());
+  const Rigid3 there = upright(0.45, 0);
+  map.add(bridgeAt(1, kLeft, there, 0.95));
+  const ViewReport report = map.add(bridgeAt(2, kRight, upright(0.46, 0.01, 0.2), 0.45));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kRefused);
+  EXPECT_THAT(report.decisions[0].reason, HasSubstr("recognition doubts it"));
+  EXPECT_EQ(map.objects().at(0).outliers, 0);
+
+  map.add(bridgeAt(3, kFar, there, 0.2));  // a doubtful view that agrees shows it, too
+  EXPECT_EQ(map.objects().at(0).last_stamp, 3);
+  EXPECT_EQ(map.objects()[0].views, 2);
+  EXPECT_EQ(map.objects()[0].probability, 0.95);
+}
+
+TEST(ObjectMap, ASureViewEndsADoubt) {
+  ObjectMap map(&models());
+  map.add(bridgeAt(1, kLeft, upright(0.46, 0.01, 0.2), 0.45));
+  const ViewReport report = map.add(bridgeAt(2, kRight, upright(0.45, 0), 0.9));
+  EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kNew);
+  EXPECT_EQ(report.decisions[0].number, 0);
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_EQ(map.objects()[0].views, 1);
+  EXPECT_EQ(map.objects()[0].probability, 0.9);
 }
 
 TEST(ObjectMap, APlaceThatNeverShowedItSoDoesNotMoveItAlone) {
@@ -267,10 +362,10 @@ TEST(ObjectMap, ABadlyLocatedObstacleIsNoSecondOne) {
 TEST(ObjectMap, RefusesWithReasons) {
   ObjectMap map(&models());
   ObjectView v = view(5, kLeft, kTarget, {{kBridge, upright(0.45, 0)}});
-  v.objects[0].probability = 0.2;
+  v.objects[0].probability = 0.02;
   ViewReport report = map.add(v);
   EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kRefused);
-  EXPECT_THAT(report.decisions[0].reason, HasSubstr("probability 0.2 is below min_probability 0.5"));
+  EXPECT_THAT(report.decisions[0].reason, HasSubstr("probability 0.02 is below doubtful_probability 0.1"));
   EXPECT_TRUE(map.objects().empty());
   report = map.add(view(5, kRight, kTarget, {{kBridge, upright(0.45, 0)}}));
   EXPECT_THAT(report.refused, HasSubstr("not newer"));

@@ -25,6 +25,10 @@ namespace monocular_eye_hand {
 /// Solid things are never in one place. Of objects that reach into each other the one with more views is
 /// published; the others are kept, suppressed, until views confirm them, miss them, or the published one is
 /// gone. What reaches into known space is refused with that reason.
+///
+/// What recognition doubts in one view several may bear out together: a wrong pose seldom comes again, in all
+/// six degrees of freedom, from another side. Such candidates are kept without a number, and published when
+/// their views together make them likely enough.
 class ObjectMap {
  public:
   /// Keeps a pointer to `models`. Throws BadInput when an option is out of range.
@@ -57,10 +61,13 @@ class ObjectMap {
     Observation merged;                     // all views together
     std::vector<Rigid3> base_from_cameras;  // of the merged views
     std::vector<Rigid3> missed_from;        // camera places of the misses in a row
+    double evidence = 0;                    // log-odds that it is there, of all its views together
+    bool believed = false;                  // likely enough to be published and to have a number
     std::vector<Observation> outliers;      // in a row, agreeing with each other
     std::vector<Key> rivals;                // cannot be there together with it
     std::optional<Key> suppressed_by;       // the rival that is published instead
     int missed = 0;                         // views in all that should have shown it and did not
+    bool told() const { return believed && !suppressed_by; }
     Key key() const { return {object.object, object.number}; }
   };
   void addFloor(Matrix6d* covariance) const;
@@ -80,6 +87,11 @@ class ObjectMap {
   ViewDecision handleOutlier(Track* track, const Observation& observation, double chi_square,
                              double stamp) const;
   Track newTrack(const Observation& observation, double stamp) const;
+  bool doubtful(const Observation& observation) const;
+  double probability(const Track& track) const;
+  double evidenceOf(const std::vector<Observation>& agreeing) const;  // log-odds
+  ViewDecision begin(const Observation& observation, double stamp);   // a track of its own
+  void believe(Track* track, ViewDecision* decision);  // gives it a number once it is likely enough
   void merge(Track* track, const Observation& observation) const;
   void publish(Track* track) const;
   void countMisses(const ObjectView& view, const std::vector<char>& updated, ViewReport* report);
@@ -99,6 +111,7 @@ class ObjectMap {
   ObjectMapOptions options_;
   std::vector<Track> tracks_;
   std::vector<int> next_number_;                       // by ModelBase::objects
+  int next_doubtful_ = -2;                             // stands for the number of what has none yet
   std::map<int, std::vector<Eigen::Vector3d>> cores_;  // points deep inside a model, by ModelBase::objects
   Matrix6d hand_eye_covariance_ = Matrix6d::Zero();
   double last_stamp_ = 0;

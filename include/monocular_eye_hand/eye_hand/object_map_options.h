@@ -6,8 +6,10 @@ namespace monocular_eye_hand {
 /// Defaults stand here and nowhere else.
 struct ObjectMapOptions {
   ArmErrorOptions arm;
-  HandEyeErrorOptions hand_eye;  ///< used when the view brings no covariance of its own
-  double min_probability = 0.5;  ///< what recognition trusts less is left out
+  HandEyeErrorOptions hand_eye;       ///< used when the view brings no covariance of its own
+  double min_probability = 0.5;       ///< what is less likely, by all its views together, is not published
+  double doubtful_probability = 0.1;  ///< what recognition trusts less in a view is left out
+  double agreement_odds = 4;  ///< so many times as likely as not a thing is for each further view that agrees
   /// Sigma of what CAD and part differ by, each axis: added to every view's own part, and once more to the
   /// merged pose, where no number of views takes it away [m].
   double floor_position = 1e-4;
@@ -17,7 +19,8 @@ struct ObjectMapOptions {
                                  ///< the smallest side of the part's box: parts do not lie inside each other;
                                  ///< of obstacles, nearer along each side than this share of it
   double max_distance = 0.05;    ///< or nearer than this and inside the gate [m]
-  int outliers_to_restart = 2;   ///< so many outliers in a row that agree: the object was moved
+  int outliers_to_restart = 2;   ///< so many outliers in a row that agree, or fewer that are surer than all
+                                 ///< that spoke for the known pose: the object starts afresh
   double min_motion = 0.01;      ///< views from nearer camera places share their errors [m] ...
   double min_turn = 0.03;        ///< ... unless the camera turned by this [rad]: they are not averaged
   int most_views = 200;          ///< merged per object; more tell nothing new
@@ -40,6 +43,8 @@ struct ObjectMapOptions {
     v("arm", arm);
     v("hand_eye", hand_eye);
     v("min_probability", min_probability);
+    v("doubtful_probability", doubtful_probability);
+    v("agreement_odds", agreement_odds);
 
     v("floor_position", floor_position);
     v("floor_rotation", floor_rotation);

@@ -40,8 +40,8 @@ struct MappedObject {
   Matrix6d covariance = Matrix6d::Zero();        ///< base axes: image and common part
   Matrix6d image_covariance = Matrix6d::Zero();  ///< the part that more views shrink
   bool free_axis = false;                        ///< the rotation about the model's axis has no meaning
-  double probability = 0;                        ///< the best of its views
-  int views = 0;                                 ///< merged
+  double probability = 0;  ///< the best of its views; of all together where each is doubtful
+  int views = 0;           ///< merged
   /// In a row: views that should have shown it and did not. From a camera place that never showed it they
   /// count once.
   int misses = 0;
@@ -55,6 +55,7 @@ enum class ViewOutcome {
   kSeenAgain,  ///< confirms a known one from where it was seen already
   kRestarted,  ///< the known one was moved: its earlier views are dropped
   kOutlier,    ///< contradicts a known one: not used
+  kDoubtful,   ///< kept, and not published before other views agree
   kRefused     ///< not used at all
 };
 std::string toString(ViewOutcome outcome);

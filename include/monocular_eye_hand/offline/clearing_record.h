@@ -54,6 +54,7 @@ struct ClearingRecord {
   std::vector<PickRecord> picks;  ///< in their order
   std::vector<TrueObject> truth;  ///< at the end
   int collisions = 0;             ///< with the true geometry
+  std::vector<std::string> hits;  ///< those of them that are known in words: when, and what met what
   int looks = 0;
   std::optional<ToldEnd> end;  ///< none: the task did not end
   std::optional<ClearingTimes> times;

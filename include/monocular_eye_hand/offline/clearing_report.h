@@ -35,6 +35,7 @@ struct ClearingReport {
   int seed = -1;
   bool cleared = false;  ///< every part lies in the drop zone
   int collisions = 0, looks = 0;
+  std::vector<std::string> hits;  ///< as in the record
   std::vector<PartReport> parts;
   std::vector<PickReport> picks;
   std::optional<ToldEnd> end;

@@ -22,13 +22,14 @@ struct ClearFrameOptions {
   double retry_wait = 2;        ///< before it is tried again; twice as long before every further time [s]
   int doubtful_looks = 2;       ///< looks in a row that did not show what one view alone showed: a doubt
   int doubtful_misses = 2;      ///< views in a row that did not show an object: it does not count any more
-  int confirm_views = 2;        ///< an object that so many views agree on is picked without a near look
-  int near_looks = 3;           ///< per object and round, until its pose is sure enough
-  int confirm_attempts = 2;     ///< near looks that do not show an object before it is given up
-  int blocked_rounds = 2;       ///< rounds in which it cannot be grasped or reached before it is given up
-  int pick_attempts = 3;        ///< lost grasps of one object before it is given up
-  int candidates = 6;           ///< grasps handed to the planner per attempt
-  int most_rounds = 40;         ///< looks around the frame in all
+  int confirm_views = 2;        ///< an object that so many views agree on ...
+  double confirm_probability = 0.8;  ///< ... and make so likely is picked without a near look
+  int near_looks = 3;                ///< per object and round, until its pose is sure enough
+  int confirm_attempts = 2;          ///< near looks that do not show an object before it is given up
+  int blocked_rounds = 2;  ///< rounds in which it cannot be grasped or reached before it is given up
+  int pick_attempts = 3;   ///< lost grasps of one object before it is given up
+  int candidates = 6;      ///< grasps handed to the planner per attempt
+  int most_rounds = 40;    ///< looks around the frame in all
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
@@ -43,6 +44,7 @@ struct ClearFrameOptions {
     v("retry_wait", retry_wait);
     v("doubtful_looks", doubtful_looks);
     v("confirm_views", confirm_views);
+    v("confirm_probability", confirm_probability);
     v("near_looks", near_looks);
     v("confirm_attempts", confirm_attempts);
     v("blocked_rounds", blocked_rounds);
