@@ -238,12 +238,11 @@ std::vector<int> ObjectMap::associate(const std::vector<Observation>& observatio
       pairs;  // outside the gate, a doubtful track, chi square, track, observation
   for (size_t t = 0; t < tracks_.size(); ++t) {
     const Observation& known = tracks_[t].merged;
-    const bool unsure = !tracks_[t].believed;
+    const bool unsure = doubtful(known);
     for (size_t k = 0; k < observations.size(); ++k) {
       if (observations[k].object != known.object) continue;
       const double chi_square = chiSquare(known, observations[k]);
       const bool outside = !(chi_square <= options_.gate);
-      if (outside && unsure && doubtful(observations[k])) continue;  // of two doubts neither counts more
       if (samePlace(known, observations[k]) ||
           (!outside && centreOffset(known, observations[k]).norm() <= options_.max_distance))
         pairs.emplace_back(outside, unsure, chi_square, t, k);
@@ -272,7 +271,7 @@ ViewDecision ObjectMap::update(Track* track, const Observation& seen, double chi
   track->outliers.clear();
   track->object.misses = 0;
   track->missed_from.clear();
-  track->object.last_stamp = stamp;
+  if (!doubtful(seen)) track->object.last_stamp = stamp;
   track->merged.probability = std::max(track->merged.probability, seen.probability);
 
   // So many places say all that views can say: what is left is common to them.
@@ -304,6 +303,7 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
   const std::string text = fmt::format("chi-square {:g} against {} is above the gate of {:g}", chi_square,
                                        label(track->object), options_.gate);
   if (doubtful(seen)) {
+    if (doubtful(track->merged)) return addDoubt(track, seen);
     decision.reason = text + ", and recognition doubts it";
     return decision;
   }
@@ -315,7 +315,7 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
   track->object.misses = 0;  // something of this name is there
   track->missed_from.clear();
 
-  const bool surer = evidenceOf(track->outliers) > track->evidence;
+  const bool surer = doubtful(track->merged) || evidenceOf(track->outliers) > track->evidence;
   if (int(track->outliers.size()) < options_.outliers_to_restart && !surer) {
     decision.outcome = ViewOutcome::kOutlier;
     decision.reason = text;
@@ -329,6 +329,23 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
   decision.outcome = ViewOutcome::kRestarted;
   decision.reason = text + (surer ? "; what speaks for the new pose is more than what spoke for the old one"
                                   : "; so many views in a row agree on another pose: it was moved");
+  return decision;
+}
+
+// Both say that something of this name is there, and not how it lies.
+ViewDecision ObjectMap::addDoubt(Track* track, const Observation& seen) const {
+  ViewDecision decision;
+  decision.object = seen.object;
+  decision.number = track->believed ? track->object.number : -1;
+  decision.outcome = ViewOutcome::kDoubtful;
+  decision.reason = "it lies otherwise than in the doubtful view before";
+  if (oneOf(track->base_from_cameras, seen.base_from_camera)) return decision;
+
+  track->evidence += logOdds(seen.probability) + std::log(options_.agreement_odds);
+  track->base_from_cameras.push_back(seen.base_from_camera);
+  if (seen.probability <= track->merged.probability) return decision;
+  track->merged = seen;
+  track->evidence = std::max(track->evidence, logOdds(seen.probability));  // misses were of the other pose
   return decision;
 }
 

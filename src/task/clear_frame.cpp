@@ -400,12 +400,14 @@ void ClearFrameTask::startRound() {
   stage_ = TaskStage::kLook;
 }
 
-/// Phantoms of recognition show in one view: what is there is seen from several sides.
+/// Phantoms of recognition show in one view, or are doubtful in each: what is there is seen from several
+/// sides.
 bool ClearFrameTask::inDoubt(const TaskObject& object) const {
   if (object.outcome != ObjectOutcome::kLeft && object.outcome != ObjectOutcome::kWaiting) return false;
   const Progress& progress = progress_.at({object.object.object, object.object.number});
-  return object.picks == 0 && object.object.views < options_.confirm_views &&
-         progress.unseen >= options_.doubtful_looks;
+  const bool confirmed = object.object.views >= options_.confirm_views &&
+                         object.object.probability >= options_.confirm_probability;
+  return object.picks == 0 && !confirmed && progress.unseen >= options_.doubtful_looks;
 }
 
 void ClearFrameTask::settleDoubts() {
@@ -414,7 +416,9 @@ void ClearFrameTask::settleDoubts() {
     const int unseen = progress_.at({object.object.object, object.object.number}).unseen;
     const std::string why = object.reason.empty() ? "" : "; " + object.reason;
     object.outcome = ObjectOutcome::kDoubt;
-    object.reason = fmt::format("one view showed it, the {} looks after it did not{}", unseen, why);
+    object.reason = fmt::format("{}, the {} looks after it did not{}",
+                                object.object.views == 1 ? "one view showed it" : "no view showed it surely",
+                                unseen, why);
   }
 }
 

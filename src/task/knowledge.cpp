@@ -17,11 +17,17 @@ void ClearFrameTask::learn(const TaskLook& seen) {
       throw BadInput(fmt::format("object {} is not in the model base", object.object));
     const Key key{object.object, object.number};
     if (progress_.count(key)) {
-      TaskObject& entry = result_.objects[progress_[key].index];
+      Progress& progress = progress_[key];
+      TaskObject& entry = result_.objects[progress.index];
       entry.object = object;
       const bool lies_again = entry.outcome == ObjectOutcome::kDropped && object.last_stamp >= seen.stamp &&
                               inFrame(object) && entry.picks < options_.pick_attempts;
-      if (entry.outcome == ObjectOutcome::kGone || lies_again) {
+      const bool shown_after_all = shownAfterAll(progress, seen.stamp);
+      if (shown_after_all) {
+        progress.unconfirmed = 0;
+        ++progress.reopened;
+      }
+      if (entry.outcome == ObjectOutcome::kGone || lies_again || shown_after_all) {
         entry.outcome = ObjectOutcome::kWaiting;
         entry.reason.clear();
       }
@@ -39,6 +45,14 @@ void ClearFrameTask::learn(const TaskLook& seen) {
     entry.outcome = ObjectOutcome::kGone;
     entry.reason = "it is not seen any more where it was";
   }
+}
+
+/// Given up since near looks did not show it so, and this look shows it surely.
+bool ClearFrameTask::shownAfterAll(const Progress& progress, double stamp) const {
+  const TaskObject& entry = result_.objects[progress.index];
+  return entry.outcome == ObjectOutcome::kLeft && progress.unconfirmed >= options_.confirm_attempts &&
+         progress.reopened < options_.confirm_attempts && entry.object.last_stamp >= stamp &&
+         entry.object.outliers == 0 && entry.object.probability >= options_.confirm_probability;
 }
 
 void ClearFrameTask::learnFrame() {

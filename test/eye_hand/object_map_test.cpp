@@ -163,10 +163,27 @@ TEST(ObjectMap, ADoubtHidesAndMovesNothing) {
   EXPECT_THAT(report.decisions[0].reason, HasSubstr("recognition doubts it"));
   EXPECT_EQ(map.objects().at(0).outliers, 0);
 
-  map.add(bridgeAt(3, kFar, there, 0.2));  // a doubtful view that agrees shows it, too
-  EXPECT_EQ(map.objects().at(0).last_stamp, 3);
+  map.add(bridgeAt(3, kFar, there, 0.2));  // one that agrees adds to it, and confirms nothing by itself
+  EXPECT_EQ(map.objects().at(0).last_stamp, 1);
   EXPECT_EQ(map.objects()[0].views, 2);
   EXPECT_EQ(map.objects()[0].probability, 0.95);
+}
+
+TEST(ObjectMap, DoubtsInOnePlaceAgreeThatSomethingIsThere) {
+  ObjectMap map(&models());
+  const Rigid3 likely = upright(0.45, 0), turned = upright(0.45, 0, 1);
+  map.add(bridgeAt(1, kLeft, turned, 0.4));
+  EXPECT_EQ(map.add(bridgeAt(2, kRight, likely, 0.45)).decisions[0].outcome, ViewOutcome::kNew);
+  ASSERT_EQ(map.objects().size(), 1u);
+  EXPECT_THAT(likely, PoseNear(map.objects()[0].base_from_object, 1e-06, 6e-08)) << "the likelier of the two";
+  EXPECT_EQ(map.objects()[0].views, 1) << "no view agrees with the pose";
+  EXPECT_GT(map.objects()[0].probability, 0.5);
+  EXPECT_LT(map.objects()[0].probability, 0.8);
+
+  // The first sure view says how it lies.
+  EXPECT_EQ(map.add(bridgeAt(3, kFar, turned, 0.6)).decisions[0].outcome, ViewOutcome::kRestarted);
+  EXPECT_THAT(turned, PoseNear(map.objects().at(0).base_from_object, 1e-06, 6e-08));
+  EXPECT_EQ(map.objects()[0].number, 0);
 }
 
 TEST(ObjectMap, ASureViewEndsADoubt) {

@@ -72,6 +72,42 @@ TEST(Doubts, WhatSeveralViewsAgreeOnIsLeftOver) {
   EXPECT_EQ(object(result, kGrenade, 0).outcome, ObjectOutcome::kLeft);
 }
 
+TEST(Doubts, WhatNoViewShowedSurelyIsADoubt) {
+  PhantomWorld world;
+  World::Thing& phantom = putPhantom(&world);
+  phantom.object.views = 2;
+  phantom.object.probability = 0.67;
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
+  EXPECT_EQ(object(result, kGrenade, 0).outcome, ObjectOutcome::kDoubt);
+  EXPECT_THAT(object(result, kGrenade, 0).reason, HasSubstr("no view showed it surely"));
+}
+
+TEST(Doubts, WhatViewsTogetherHardlyBelieveIsLookedAtFromNear) {
+  for (const double probability : {0.67, 0.95}) {
+    World world;
+    World::Thing& bridge = world.put(kBridge, 0, at(0.5, 0));
+    bridge.object.views = 2;
+    bridge.object.probability = probability;
+    EXPECT_EQ(ClearFrameTask(&kModels, &world).run().outcome, TaskOutcome::kCleared);
+    EXPECT_EQ(std::count(world.log.begin(), world.log.end(), "near bridge0"), probability < 0.8 ? 1 : 0);
+  }
+}
+
+TEST(Doubts, WhatALaterLookShowsSurelyIsTriedAgain) {
+  World world;
+  World::Thing& bridge = world.put(kBridge, 0, at(0.5, 0));
+  bridge.contradicted = true;
+  int near_looks = 0;
+  world.before_look = [&](const TaskView& view) {
+    if (view.near && ++near_looks > 2) world.thing(kBridge, 0).contradicted = false;
+  };
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
+  EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kCarried);
+  EXPECT_EQ(near_looks, 3);
+}
+
 TEST(Doubts, WhatTheLastLooksShowIsLeftOver) {
   PhantomWorld world;
   world.shown = 1000;

@@ -53,6 +53,7 @@ class World : public TaskWorld {
     thing.object.number = number;
     thing.object.name = models().objects[size_t(object)].model.name;
     thing.object.base_from_object = pose;
+    thing.object.probability = 0.95;
     return thing;
   }
   Thing& thing(int object, int number) {

@@ -86,6 +86,7 @@ class ObjectMap {
   ViewDecision update(Track* track, const Observation& observation, double chi_square, double stamp) const;
   ViewDecision handleOutlier(Track* track, const Observation& observation, double chi_square,
                              double stamp) const;
+  ViewDecision addDoubt(Track* track, const Observation& observation) const;
   Track newTrack(const Observation& observation, double stamp) const;
   bool doubtful(const Observation& observation) const;
   double probability(const Track& track) const;

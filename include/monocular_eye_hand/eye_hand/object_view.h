@@ -45,8 +45,9 @@ struct MappedObject {
   /// In a row: views that should have shown it and did not. From a camera place that never showed it they
   /// count once.
   int misses = 0;
-  int outliers = 0;                        ///< in a row: views that contradict this pose
-  double first_stamp = 0, last_stamp = 0;  ///< of the views that showed it [s]
+  int outliers = 0;  ///< in a row: views that contradict this pose
+  /// Of the first view that showed it and of the last that did without doubt, or began the doubt [s].
+  double first_stamp = 0, last_stamp = 0;
 };
 
 enum class ViewOutcome {
