@@ -1,15 +1,15 @@
 #include "nodes/planner/node.h"
 
+#include <fmt/format.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "nodes/common/action_outcome.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/markers.h"
 #include "nodes/common/names.h"
+#include "nodes/common/robot_messages.h"
 #include "nodes/planner/conversion.h"
 #include "nodes/planner/markers.h"
 
@@ -232,8 +232,8 @@ void PlannerNode::remember(const char* action, const ActionResult& result) {
 void PlannerNode::robotStatus(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
   const RobotState state = robot_.state();
-  const std::string joints = jointSilence(robot_, state, parameters_.execution);
-  const std::string gripper = gripperSilence(robot_, state, parameters_.execution);
+  const std::string joints = missingJoints(robot_, state, parameters_.execution);
+  const std::string gripper = missingGripper(robot_, state, parameters_.execution);
   const std::string clock = node_watch_.clockProblem();
   if (!clock.empty())
     status.summary(DiagnosticStatus::WARN, clock + " Waits are paused");
@@ -252,9 +252,8 @@ void PlannerNode::planningStatus(diagnostic_updater::DiagnosticStatusWrapper& st
   status.add("goals done", done_);
   status.add("goals not done", not_done_);
   status.add("held", held_);
-  char stamp[32] = "none yet";
-  if (objects_) std::snprintf(stamp, sizeof stamp, "%.3f", objects_->header.stamp.toSec());
-  status.add("stamp of the objects heard of [s]", stamp);
+  status.add("stamp of the objects heard of [s]",
+             objects_ ? fmt::format("{:.3f}", objects_->header.stamp.toSec()) : "none yet");
   status.add("objects in the last plan", known_);
   status.add("objects put down and remembered", remembered_);
   status.add("planning time, last [s]", planning_time_);

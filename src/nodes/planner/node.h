@@ -15,9 +15,9 @@
 #include <string>
 
 #include "monocular_eye_hand/execution/executor.h"
+#include "monocular_eye_hand/parameters/planner.h"
 #include "nodes/common/node_watch.h"
 #include "nodes/planner/memory.h"
-#include "nodes/planner/parameters.h"
 #include "nodes/planner/ros_robot.h"
 
 namespace monocular_eye_hand {
