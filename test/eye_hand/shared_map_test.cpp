@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cube_on_table.h"
-#include "monocular_eye_hand/model/build_model.h"
+#include "model/build_model.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,5 +1,5 @@
 #include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/model/build_model.h"
+#include "model/build_model.h"
 
 #include <dirent.h>
 #include <gmock/gmock.h>

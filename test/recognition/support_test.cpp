@@ -1,9 +1,9 @@
 // A known plane that parts stand on: what it rules out, and what it speaks for.
 #include "recognition/support.h"
 
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/look_at.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "support/pose_matchers.h"
 #include "world.h"

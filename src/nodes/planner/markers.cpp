@@ -40,8 +40,7 @@ Marker boxMarker(const PlannerParameters& parameters, const char* space, int id,
 
 Marker tableMarker(const PlannerParameters& parameters) {
   const WorkTable& table = parameters.table;
-  const Rigid3 base_from_table = upright(table.x, table.y, table.z - table.thickness / 2, table.yaw);
-  return boxMarker(parameters, "table", 0, base_from_table, {table.length, table.width, table.thickness});
+  return boxMarker(parameters, "table", 0, table.baseFromBox(), {table.length, table.width, table.thickness});
 }
 
 /// In the plane of the shape.
@@ -76,10 +75,9 @@ Marker dropZoneMarker(const PlannerParameters& parameters) {
 visualization_msgs::MarkerArray cellMarkers(const PlannerParameters& parameters) {
   visualization_msgs::MarkerArray array;
   array.markers = {tableMarker(parameters), dropZoneMarker(parameters)};
-  for (const CellBox& box : parameters.boxes) {
-    const int id = int(array.markers.size()) - 2;
-    array.markers.push_back(boxMarker(parameters, "boxes", id, box.baseFromBox(), box.size));
-  }
+  const std::vector<CellBox>& boxes = parameters.boxes;
+  for (size_t k = 0; k < boxes.size(); ++k)
+    array.markers.push_back(boxMarker(parameters, "boxes", int(k), boxes[k].baseFromBox(), boxes[k].size));
   return array;
 }
 
