@@ -8,9 +8,9 @@
 
 #include "features_bench_sets.h"
 #include "features_detectors.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/mesh/ray_scene.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/contour.h"
 
 namespace monocular_eye_hand {

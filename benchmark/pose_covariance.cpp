@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const int poses = std::stoi(argv[2]);
-  const Recognizer recognizer(loadModelBase(argv[1]));
+  const Recognizer recognizer(loadModels(argv[1], ModelDepth::kViews));
   std::ofstream out(argv[3]);
   out << "part,seed,square,freedoms,errors,sigmas\n";
   for (int part = 0; part < int(recognizer.models().objects.size()); ++part) {

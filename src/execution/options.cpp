@@ -18,6 +18,8 @@ void requireUpTo(const char* field, double value, double limit) {
 
 }  // namespace
 
+Rigid3 WorkTable::baseFromBox() const { return poseOf(x, y, z - thickness / 2, 0, 0, yaw); }
+
 void WorkTable::check() const {
   requireWithin100("x", x);
   requireWithin100("y", y);

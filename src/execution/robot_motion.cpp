@@ -16,7 +16,7 @@ constexpr double kLongestStop = 2;   // in time-outs of the wall clock, when the
 constexpr double kStalledFor = 1.0;  // fingers that begin to open may still be said to be stalled [s]
 constexpr double kLater = 1e-6;      // a state so much younger than another one is a new one [s]
 
-std::string silence(const std::string& source, bool told, double since, double longest) {
+std::string missingInput(const std::string& source, bool told, double since, double longest) {
   if (!told) return "no " + source + " yet: does the driver of the arm run?";
   if (since <= longest) return "";
   return fmt::format("{} is silent for {:.3g} s", source, since);
@@ -31,13 +31,14 @@ double latest(double clock, const RobotState& state) {
 
 }  // namespace
 
-std::string jointSilence(const Robot& robot, const RobotState& state, const ExecutionOptions& options) {
-  return silence(robot.jointSource(), state.joints.has_value(), state.joint_silence, options.joint_silence);
+std::string missingJoints(const Robot& robot, const RobotState& state, const ExecutionOptions& options) {
+  return missingInput(robot.jointSource(), state.joints.has_value(), state.joint_silence,
+                      options.joint_silence);
 }
 
-std::string gripperSilence(const Robot& robot, const RobotState& state, const ExecutionOptions& options) {
-  return silence(robot.gripperSource(), state.gripper.has_value(), state.gripper_silence,
-                 options.gripper_silence);
+std::string missingGripper(const Robot& robot, const RobotState& state, const ExecutionOptions& options) {
+  return missingInput(robot.gripperSource(), state.gripper.has_value(), state.gripper_silence,
+                      options.gripper_silence);
 }
 
 RobotMotion::RobotMotion(Robot* robot, const ExecutionOptions& options, double feedback_period)
@@ -48,7 +49,7 @@ JointVector RobotMotion::joints() const {
   while (!robot_.state().joints && robot_.wallClock() - begin < options_.joint_silence) robot_.wait(kPoll);
 
   const RobotState state = robot_.state();
-  const std::string silent = jointSilence(robot_, state, options_);
+  const std::string silent = missingJoints(robot_, state, options_);
   if (!silent.empty()) throw BadInput(silent);
   return state.joints->joints;
 }
@@ -58,7 +59,7 @@ GripperReading RobotMotion::gripper() const {
   while (!robot_.state().gripper && robot_.wallClock() - begin < options_.gripper_silence) robot_.wait(kPoll);
 
   const RobotState state = robot_.state();
-  const std::string silent = gripperSilence(robot_, state, options_);
+  const std::string silent = missingGripper(robot_, state, options_);
   if (!silent.empty()) throw BadInput(silent);
   return *state.gripper;
 }
@@ -84,7 +85,7 @@ std::string RobotMotion::stop() {
     if (robot_.since(begin) > options_.stop_timeout || wall > kLongestStop * options_.stop_timeout) break;
     robot_.wait(kPoll);
   }
-  const std::string silent = jointSilence(robot_, robot_.state(), options_);
+  const std::string silent = missingJoints(robot_, robot_.state(), options_);
   return silent.empty() ? "the arm does not stop" : silent + ": whether the arm stopped is not known";
 }
 
@@ -102,11 +103,11 @@ RobotMotion::Check RobotMotion::checkFollowing(const TrajectoryMonitor& trajecto
     return {true, stopped(ActionOutcome::kCancelled, "cancelled")};
   if (trajectory.state() == TrajectoryMonitor::State::kFailed)
     return {true, stopped(ActionOutcome::kFault, trajectory.reason())};
-  if (const std::string silent = jointSilence(robot_, state, options_); !silent.empty())
+  if (const std::string silent = missingJoints(robot_, state, options_); !silent.empty())
     return {true, stopped(ActionOutcome::kFault, silent)};
 
   if (monitor.lost) {
-    if (const std::string silent = gripperSilence(robot_, state, options_); !silent.empty())
+    if (const std::string silent = missingGripper(robot_, state, options_); !silent.empty())
       return {true, stopped(ActionOutcome::kFault, silent)};
     if (const std::string lost = monitor.lost(*state.gripper); !lost.empty())
       return {true, stopped(ActionOutcome::kGraspLost, lost)};
@@ -183,7 +184,7 @@ MotionResult RobotMotion::waitForFingers(double width, bool closing, double star
 /// Whether the fingers that were sent to `width` at `from` are there, or will never be.
 RobotMotion::Check RobotMotion::checkFingers(double width, bool closing, double from) const {
   const RobotState state = robot_.state();
-  if (const std::string silent = gripperSilence(robot_, state, options_); !silent.empty())
+  if (const std::string silent = missingGripper(robot_, state, options_); !silent.empty())
     return {true, {ActionOutcome::kFault, silent}};
 
   const GripperReading& gripper = *state.gripper;

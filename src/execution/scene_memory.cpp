@@ -18,8 +18,7 @@ std::string placeLabel(const PlacedObject& object, int place) {
 CollisionWorld fixedWorld(const ArmDescription& arm, const ExecutorOptions& options) {
   CollisionWorld world(arm);
   const WorkTable& table = options.table;
-  world.addBox("table", {table.length, table.width, table.thickness},
-               poseOf(table.x, table.y, table.z - table.thickness / 2, 0, 0, table.yaw));
+  world.addBox("table", {table.length, table.width, table.thickness}, table.baseFromBox());
   for (const CellBox& box : options.boxes)
     world.addBox(box.name, {box.size[0], box.size[1], box.size[2]}, box.baseFromBox());
   return world;

@@ -1,5 +1,6 @@
 #include "monocular_eye_hand/io/file_path.h"
 
+#include <fmt/format.h>
 #include <pwd.h>
 #include <unistd.h>
 
@@ -130,6 +131,14 @@ std::string resolved(const std::string& name, const std::string& folder) {
   return path.is_absolute() || folder.empty() ? path.string() : (fs::path(folder) / path).string();
 }
 
+/// A file or folder, or a pattern of files in a folder that is there.
+bool isThere(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored)) return true;
+  const bool pattern = path.filename().string().find('%') != std::string::npos;
+  return pattern && fs::is_directory(path.parent_path(), ignored);
+}
+
 }  // namespace
 
 std::string resolvedPath(const std::string& name, const std::string& folder) {
@@ -142,6 +151,19 @@ std::string resolvedPath(const std::string& name, const std::string& folder) {
   } catch (const BadInput& e) {
     throw BadInput(name + ": " + e.what());
   }
+}
+
+std::string pathParameter(const std::string& parameter, const std::string& path) {
+  const bool plain = path.find("://") == std::string::npos && path.find('$') == std::string::npos;
+  if (path.empty() || !plain || path[0] == '/' || path[0] == '~' || isThere(path)) return path;
+  std::error_code ignored;
+  const std::string here = fs::current_path(ignored).string();
+  const char* shell = std::getenv("PWD");
+  if (shell && isThere(fs::path(shell) / path)) return (fs::path(shell) / path).string();
+  std::string folders = here;
+  if (shell && shell != here) folders += ", nor in " + std::string(shell);
+  throw BadInput(fmt::format("{0}: there is no {1} in {2}: give the whole path, as {0}:=$PWD/{1}", parameter,
+                             path, folders));
 }
 
 }  // namespace monocular_eye_hand

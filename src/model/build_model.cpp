@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "model/build_model.h"
 #include "model/build_steps.h"
 #include "model/contour_index.h"
 #include "model/rounded_circles.h"
@@ -12,7 +13,6 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/plain_number.h"
 #include "monocular_eye_hand/mesh/ray_scene.h"
-#include "monocular_eye_hand/model/build_model.h"
 
 namespace monocular_eye_hand {
 namespace {

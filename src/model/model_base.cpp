@@ -134,14 +134,4 @@ ModelBase loadModels(const std::string& yaml_path, ModelDepth depth, const ViewO
   return compileModels(readObjectEntries(yaml_path), depth, views, cache_dir, progress);
 }
 
-ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views,
-                           const std::string& cache_dir, const CompileProgress& progress) {
-  return compileModels(entries, ModelDepth::kViews, views, cache_dir, progress);
-}
-
-ModelBase loadModelBase(const std::string& yaml_path, const ViewOptions& views, const std::string& cache_dir,
-                        const CompileProgress& progress) {
-  return loadModels(yaml_path, ModelDepth::kViews, views, cache_dir, progress);
-}
-
 }  // namespace monocular_eye_hand

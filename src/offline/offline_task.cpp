@@ -47,7 +47,8 @@ std::vector<std::string> hitsOf(const std::vector<CellEvent>& events) {
 struct OfflineTask::Kit {
   Kit(const OfflineOptions& given, const CompileProgress& progress)
       : options(checked(given)),
-        recognizer(loadModelBase(options.executor.objects, {}, options.cache, progress), options.recognition),
+        recognizer(loadModels(options.executor.objects, ModelDepth::kViews, {}, options.cache, progress),
+                   options.recognition),
         description(armOf(options)),
         meshes(namedMeshes(recognizer.models())),
         arm(options.grasping.arm),

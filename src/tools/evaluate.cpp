@@ -50,7 +50,7 @@ ModelBase modelBase(const BopModels& models) {
     object.unit = "mm";
     entries.push_back(object);
   }
-  return compileModelBase(entries);
+  return compileModels(entries, ModelDepth::kViews);
 }
 
 std::vector<int> objectIds(const BopModels& models) {

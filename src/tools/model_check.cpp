@@ -158,9 +158,9 @@ nlohmann::json asJson(const KnownObject& object) {
 }
 
 void check(const Arguments& arguments) {
-  const ModelBase base = compileModelBase(entriesOf(arguments), {}, "", [](const std::string& step) {
-    std::cerr << "model_check: " << step << std::endl;
-  });
+  const ModelBase base =
+      compileModels(entriesOf(arguments), ModelDepth::kViews, {}, "",
+                    [](const std::string& step) { std::cerr << "model_check: " << step << std::endl; });
 
   nlohmann::json report = nlohmann::json::array();
   std::vector<cv::Mat> pictures;

@@ -13,8 +13,7 @@ struct OfflineFiles {
   std::string urdf;     ///< arm with gripper and camera
 };
 
-/// Reads what the nodes read; what only a node needs is left out. Throws BadInput on a key that neither
-/// knows.
+/// Reads the files of the nodes, whole, as they do; what only a node needs is left out.
 OfflineOptions readOfflineFiles(const OfflineFiles& files);
 /// The model base that these say.
 std::string objectsFile(const OfflineFiles& files);

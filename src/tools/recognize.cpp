@@ -145,7 +145,7 @@ int recognize(const Arguments& args) {
   for (const std::string& warning : calibration.warnings) warn(args.camera + ": " + warning);
   const Camera& camera = calibration.camera;
   const auto tell = [](const std::string& step) { std::cerr << "recognize: " << step << std::endl; };
-  const Recognizer recognizer(loadModelBase(args.objects, {}, "", tell), options);
+  const Recognizer recognizer(loadModels(args.objects, ModelDepth::kViews, {}, "", tell), options);
   warnAboutModels(recognizer, camera);
   if (!args.only.empty() && recognizer.models().indexOf(args.only) < 0)
     throw BadInput("--only " + args.only + ": no such object; known are " + recognizer.models().names());

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "evaluation/pose_error.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "small_dataset.h"
 #include "support/refusal.h"
 

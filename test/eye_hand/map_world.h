@@ -3,9 +3,9 @@
 #include <random>
 #include <string>
 
+#include "model/build_model.h"
 #include "monocular_eye_hand/eye_hand/object_map.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "support/camera.h"
 
 namespace monocular_eye_hand::map_world {

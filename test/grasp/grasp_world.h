@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
+#include "model/build_model.h"
 #include "monocular_eye_hand/grasp/plan_grasps.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 
 namespace monocular_eye_hand::grasp_world {
 

@@ -4,10 +4,10 @@
 #include <chrono>
 
 #include "grasp_world.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/grasp/model_grasps.h"
 #include "monocular_eye_hand/mesh/ray_scene.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/options/options.h"
 #include "support/refusal.h"
 

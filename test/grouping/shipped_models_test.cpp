@@ -15,7 +15,7 @@ using namespace hand_made;
 
 const ModelBase& shipped() {
   static const ModelBase base =
-      loadModelBase(MONOCULAR_EYE_HAND_SOURCE_DIR "/config/objects.yaml", {}, "none");
+      loadModels(MONOCULAR_EYE_HAND_SOURCE_DIR "/config/objects.yaml", ModelDepth::kViews, {}, "none");
   return base;
 }
 

@@ -1,5 +1,6 @@
 #include "monocular_eye_hand/io/file_path.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@ namespace monocular_eye_hand {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::HasSubstr;
 
 /// A workspace with two packages, one of which lies in a folder of another name.
 class FilePath : public testing::Test {
@@ -89,6 +91,61 @@ TEST_F(FilePath, ExistingFilesMayHaveAnyName) {
   const std::string folder = (root_ / "odd $name").string();
   EXPECT_EQ(resolvedPath(folder + "/~part.stl"), folder + "/~part.stl");
   EXPECT_EQ(resolvedPath("~part.stl", folder), folder + "/~part.stl");
+}
+
+/// The program runs in one folder, the shell that started it in another.
+class PathParameter : public testing::Test {
+ protected:
+  PathParameter() : before_(fs::current_path()) {
+    const char* pwd = std::getenv("PWD");
+    pwd_ = pwd ? pwd : "";
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    root_ = fs::canonical(testing::TempDir()) / ("path_parameter_" + name);
+    for (const char* folder : {"here", "shell/images"}) fs::create_directories(root_ / folder);
+    std::ofstream(root_ / "shell/parts.yaml") << "objects: []";
+    fs::current_path(root_ / "here");
+    setenv("PWD", (root_ / "shell").c_str(), 1);
+  }
+  ~PathParameter() override {
+    fs::current_path(before_);
+    setenv("PWD", pwd_.c_str(), 1);
+    fs::remove_all(root_);
+  }
+  std::string shell(const std::string& name) const { return (root_ / "shell" / name).string(); }
+
+  fs::path before_, root_;
+  std::string pwd_;
+};
+
+TEST_F(PathParameter, IsFoundBesideTheShell) {
+  EXPECT_EQ(pathParameter("objects", "parts.yaml"), shell("parts.yaml"));
+  EXPECT_EQ(pathParameter("source", "images"), shell("images"));
+  EXPECT_EQ(pathParameter("source", "images/img_%04d.png"), shell("images/img_%04d.png"));
+}
+
+TEST_F(PathParameter, TheFolderOfTheProgramGoesFirst) {
+  std::ofstream(root_ / "here/parts.yaml") << "objects: []";
+  EXPECT_EQ(pathParameter("objects", "parts.yaml"), "parts.yaml");
+}
+
+TEST_F(PathParameter, WhatIsNotRelativeStays) {
+  for (const char* path :
+       {"", "/no/such.yaml", "~/a.yaml", "$HOME/a.yaml", "package://a/b.yaml", "file:///c.yaml"})
+    EXPECT_EQ(pathParameter("objects", path), path);
+}
+
+TEST_F(PathParameter, AMissingOneNamesBothFolders) {
+  for (const char* path : {"none.yaml", "none/img_%d.png"}) {
+    try {
+      pathParameter("objects", path);
+      ADD_FAILURE() << path;
+    } catch (const BadInput& e) {
+      EXPECT_THAT(e.what(),
+                  testing::AllOf(HasSubstr(std::string("objects: there is no ") + path),
+                                 HasSubstr((root_ / "here").string()), HasSubstr((root_ / "shell").string()),
+                                 HasSubstr(std::string("objects:=$PWD/") + path)));
+    }
+  }
 }
 
 }  // namespace

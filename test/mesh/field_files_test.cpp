@@ -7,9 +7,9 @@
 #include <cstring>
 
 #include "mesh_file.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/mesh/repair_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "support/refusal.h"
 
 namespace monocular_eye_hand {

@@ -20,10 +20,10 @@
 #include "fuzz_damage.h"
 #include "fuzz_seeds.h"
 #include "mesh_file.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/options/options.h"
 

@@ -5,10 +5,10 @@
 #include <map>
 
 #include "../mesh/shapes.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/mesh/ray_scene.h"
-#include "monocular_eye_hand/model/build_model.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "../mesh/shapes.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/free_turns.h"
 #include "support/pose_matchers.h"
 

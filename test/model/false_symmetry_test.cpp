@@ -10,9 +10,9 @@
 #include <tuple>
 
 #include "../mesh/shapes.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/mesh/closest_point.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "support/random.h"
 
 namespace monocular_eye_hand {

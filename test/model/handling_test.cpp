@@ -65,7 +65,7 @@ TEST(Handling, AnObstacleIsNeverGrasped) {
 TEST(Handling, ItReachesTheModelBase) {
   ViewOptions views;
   views.spacing = 0.6;
-  const ModelBase base = compileModelBase(entries(", grasp: false"), views, "none");
+  const ModelBase base = compileModels(entries(", grasp: false"), ModelDepth::kViews, views, "none");
   EXPECT_FALSE(base.objects.at(0).handling.grasp);
 }
 

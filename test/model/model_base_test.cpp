@@ -1,5 +1,5 @@
 #include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/model/build_model.h"
+#include "model/build_model.h"
 
 #include <dirent.h>
 #include <gmock/gmock.h>
@@ -97,8 +97,8 @@ void expectEqual(const KnownObject& a, const KnownObject& b) {
 }
 
 TEST(ModelBase, ShippedBaseLoads) {
-  const ModelBase base =
-      loadModelBase(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/objects.yaml", {}, "none");
+  const ModelBase base = loadModels(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/objects.yaml",
+                                    ModelDepth::kViews, {}, "none");
   EXPECT_EQ(base.names(), "bridge, grenade, frame, flange, bracket");
   EXPECT_EQ(base.indexOf("flange"), 3);
   EXPECT_EQ(base.indexOf("teapot"), -1);
@@ -144,11 +144,12 @@ TEST(ModelBase, ProgressIsTold) {
   Folder folder;
   std::vector<std::string> told;
   const auto tell = [&](const std::string& text) { told.push_back(text); };
-  compileModelBase({entry("flange")}, {}, folder.path, tell);
+  compileModels({entry("flange")}, ModelDepth::kViews, {}, folder.path, tell);
   ASSERT_EQ(told.size(), 2u);
   EXPECT_THAT(told[0], HasSubstr("flange ("));
   EXPECT_THAT(told[0], HasSubstr("symmetries"));
-  compileModelBase({entry("flange")}, {}, folder.path, tell);  // from the cache: nothing takes long
+  compileModels({entry("flange")}, ModelDepth::kViews, {}, folder.path,
+                tell);  // from the cache: nothing takes long
   EXPECT_EQ(told.size(), 2u);
 }
 
@@ -196,11 +197,11 @@ TEST(Scans, NoisyOnesAreRefusedAndSmallerOnesWarnedAbout) {
 TEST(Cache, GivesTheSameAndIsRebuiltWhenDamaged) {
   const Folder folder;
   for (const char* name : {"bridge", "flange"}) {
-    const ModelBase fresh = compileModelBase({entry(name)}, {}, "none");
+    const ModelBase fresh = compileModels({entry(name)}, ModelDepth::kViews, {}, "none");
     const size_t before = folder.files().size();
-    const ModelBase first = compileModelBase({entry(name)}, {}, folder.path);
+    const ModelBase first = compileModels({entry(name)}, ModelDepth::kViews, {}, folder.path);
     ASSERT_EQ(folder.files().size(), before + 1);
-    const ModelBase second = compileModelBase({entry(name)}, {}, folder.path);
+    const ModelBase second = compileModels({entry(name)}, ModelDepth::kViews, {}, folder.path);
     EXPECT_EQ(folder.files().size(), before + 1);
     expectEqual(fresh.objects[0], first.objects[0]);
     expectEqual(fresh.objects[0], second.objects[0]);
@@ -211,7 +212,7 @@ TEST(Cache, DamageAtManyPlacesIsNoticed) {
   const Folder folder;
   ViewOptions views;
   views.spacing = 0.6;
-  const ModelBase good = compileModelBase({entry("frame")}, views, folder.path);
+  const ModelBase good = compileModels({entry("frame")}, ModelDepth::kViews, views, folder.path);
   const std::string name = folder.files().at(0), bytes = bytesOf(folder.path + "/" + name);
   for (size_t k = 0; k < 40; ++k) {
     std::string bad = bytes;
@@ -221,7 +222,8 @@ TEST(Cache, DamageAtManyPlacesIsNoticed) {
       bad.resize(k * bytes.size() / 40);
     }
     folder.write(name, bad);
-    expectEqual(good.objects[0], compileModelBase({entry("frame")}, views, folder.path).objects[0]);
+    expectEqual(good.objects[0],
+                compileModels({entry("frame")}, ModelDepth::kViews, views, folder.path).objects[0]);
     ASSERT_EQ(bytesOf(folder.path + "/" + name), bytes) << "not rebuilt after damage " << k;
   }
 }
@@ -229,35 +231,37 @@ TEST(Cache, DamageAtManyPlacesIsNoticed) {
 TEST(Cache, IsReadAndNotOnlyWritten) {
   // A sound file under the same name with another object's content must show in the result.
   const Folder folder, other;
-  compileModelBase({entry("frame")}, {}, folder.path);
-  compileModelBase({entry("bridge")}, {}, other.path);
+  compileModels({entry("frame")}, ModelDepth::kViews, {}, folder.path);
+  compileModels({entry("bridge")}, ModelDepth::kViews, {}, other.path);
   folder.write(folder.files().at(0), bytesOf(other.path + "/" + other.files().at(0)));
-  EXPECT_EQ(compileModelBase({entry("frame")}, {}, folder.path).objects[0].model.symmetries.discrete.size(),
+  EXPECT_EQ(compileModels({entry("frame")}, ModelDepth::kViews, {}, folder.path)
+                .objects[0]
+                .model.symmetries.discrete.size(),
             2u);
 }
 
 TEST(Cache, MeshUnitAndOptionsMakeItStale) {
   const Folder folder;
   ObjectEntry e = entry("frame");
-  compileModelBase({e}, {}, folder.path);
+  compileModels({e}, ModelDepth::kViews, {}, folder.path);
   ViewOptions views;
   views.samples_per_view = 60;
-  compileModelBase({e}, views, folder.path);
+  compileModels({e}, ModelDepth::kViews, views, folder.path);
   e.unit = "cm";
-  compileModelBase({e}, {}, folder.path);
+  compileModels({e}, ModelDepth::kViews, {}, folder.path);
   e.unit = "mm";
   e.options.symmetry_tolerance = 1e-3;
-  compileModelBase({e}, {}, folder.path);
+  compileModels({e}, ModelDepth::kViews, {}, folder.path);
   e = entry("bridge");
   e.name = "frame";
-  compileModelBase({e}, {}, folder.path);
+  compileModels({e}, ModelDepth::kViews, {}, folder.path);
   EXPECT_EQ(folder.files().size(), 5u);
 }
 
 TEST(Cache, AFolderThatCannotBeWrittenIsNoError) {
   const Folder folder;
   const std::string file = folder.write("taken", "a file where the folder should be");
-  EXPECT_EQ(compileModelBase({entry("frame")}, {}, file + "/cache").objects.size(), 1u);
+  EXPECT_EQ(compileModels({entry("frame")}, ModelDepth::kViews, {}, file + "/cache").objects.size(), 1u);
 }
 
 // Once, however many objects could not be kept; not at all where there is no cache, or where all went well.
@@ -266,9 +270,10 @@ TEST(Cache, AFolderThatCannotBeWrittenIsToldOnce) {
   const std::string file = folder.write("taken", "a file where the folder should be");
   const auto toldOf = [](const std::string& cache) {
     std::vector<std::string> told;
-    compileModelBase({entry("frame"), entry("bridge")}, {}, cache, [&](const std::string& text) {
-      if (text.find("cannot be written") != std::string::npos) told.push_back(text);
-    });
+    compileModels({entry("frame"), entry("bridge")}, ModelDepth::kViews, {}, cache,
+                  [&](const std::string& text) {
+                    if (text.find("cannot be written") != std::string::npos) told.push_back(text);
+                  });
     return told;
   };
   const std::vector<std::string> told = toldOf(file + "/cache");
@@ -281,7 +286,7 @@ TEST(Cache, AFolderThatCannotBeWrittenIsToldOnce) {
 TEST(Cache, FolderFollowsTheEnvironment) {
   const Folder folder;
   setenv("XDG_CACHE_HOME", folder.path.c_str(), 1);
-  compileModelBase({entry("frame")}, {}, "");
+  compileModels({entry("frame")}, ModelDepth::kViews, {}, "");
   unsetenv("XDG_CACHE_HOME");
   const std::string inside = folder.path + "/monocular_eye_hand";
   DIR* dir = opendir(inside.c_str());
@@ -305,7 +310,8 @@ TEST(SimilarModels, AreWarnedAboutInBothModels) {
   larger.unit = "cm";
   ViewOptions views;
   views.spacing = 0.6;
-  const ModelBase base = compileModelBase({entry("bridge"), twin, larger, entry("frame")}, views, "none");
+  const ModelBase base =
+      compileModels({entry("bridge"), twin, larger, entry("frame")}, ModelDepth::kViews, views, "none");
   EXPECT_THAT(base.objects[0].model.warnings,
               testing::Contains(HasSubstr("looks like bridge2: one is easily")));
   EXPECT_THAT(base.objects[1].model.warnings, testing::Contains(HasSubstr("looks like bridge:")));

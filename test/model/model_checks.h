@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "monocular_eye_hand/model/build_model.h"
+#include "model/build_model.h"
 
 namespace monocular_eye_hand {
 

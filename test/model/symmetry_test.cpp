@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "../mesh/shapes.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "../mesh/shapes.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/characteristic_views.h"
 
 namespace monocular_eye_hand {

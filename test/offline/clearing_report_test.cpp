@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/build_model.h"
 
 namespace monocular_eye_hand {
 namespace {

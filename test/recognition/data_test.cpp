@@ -29,7 +29,7 @@ Recognizer recognizerOf(const BopModels& models) {
   std::vector<ObjectEntry> entries;
   for (const auto& [id, model] : models)
     entries.push_back({model.name, std::filesystem::absolute(model.mesh_path).string(), "mm", {}});
-  return {compileModelBase(entries, {}, cacheFolder())};
+  return {compileModels(entries, ModelDepth::kViews, {}, cacheFolder())};
 }
 
 // Of a report that is the pose of this true object; the turn about a free axis is left out.

@@ -3,8 +3,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "recognition/hypotheses.h"
 #include "recognition/judging.h"

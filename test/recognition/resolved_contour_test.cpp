@@ -1,7 +1,7 @@
 // What of a drawn contour a camera can tell apart.
 #include "recognition/resolved_contour.h"
 
-#include "monocular_eye_hand/model/build_model.h"
+#include "model/build_model.h"
 #include "recognition/alignment.h"
 #include "world.h"
 

@@ -1,9 +1,9 @@
 // A known plane that parts stand on: what it rules out, and what it speaks for.
 #include "recognition/support.h"
 
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/look_at.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "support/pose_matchers.h"
 #include "world.h"
@@ -151,6 +151,19 @@ TEST_F(KnownTable, RefusesWhatWouldLieBelowAndSaysWhy) {
   const RecognitionResult result = recognized(planeAt(lowest() + 0.05));
   EXPECT_TRUE(result.objects.empty()) << listed(result);
   EXPECT_THAT(result.reason, HasSubstr("below the support plane"));
+}
+
+// A camera that looks straight down from 0.6 m.
+TEST(SupportPlane, IsThatOfTheFrameInTheCamerasAxes) {
+  Rigid3 camera_from_base;
+  camera_from_base.rotation = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  camera_from_base.translation = {0.1, 0.2, 0.6};
+  const SupportPlane plane = supportPlane(camera_from_base, 0.25, 0.007);
+  EXPECT_NO_THROW(plane.check());
+  EXPECT_NEAR(plane.normal.dot(Eigen::Vector3d(0, 0, 0.35)), plane.offset, 1e-12);
+  EXPECT_GT(plane.normal.dot(Eigen::Vector3d(0.3, -0.2, 0.34)), plane.offset)
+      << "nearer to the camera is above";
+  EXPECT_EQ(plane.tolerance, 0.007);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "monocular_eye_hand/model/build_model.h"
+#include "model/build_model.h"
 #include "monocular_eye_hand/pose/refine.h"
 #include "monocular_eye_hand/simulation/render.h"
 #include "recognition/constellation.h"

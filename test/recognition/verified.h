@@ -1,5 +1,5 @@
 #pragma once
-#include "monocular_eye_hand/model/build_model.h"
+#include "model/build_model.h"
 #include "recognition/verification.h"
 #include "world.h"
 

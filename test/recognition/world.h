@@ -26,7 +26,8 @@ inline std::string cacheFolder() { return testing::TempDir() + "/recognition_tes
 
 /// The five parts of config/objects.yaml, compiled once per program.
 inline const ModelBase& shippedModels() {
-  static const ModelBase models = loadModelBase(sourcePath("config/objects.yaml"), {}, cacheFolder());
+  static const ModelBase models =
+      loadModels(sourcePath("config/objects.yaml"), ModelDepth::kViews, {}, cacheFolder());
   return models;
 }
 

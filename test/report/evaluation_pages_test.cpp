@@ -8,8 +8,8 @@
 #include <regex>
 #include <sstream>
 
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "support/camera.h"
 
 namespace monocular_eye_hand {

@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/report/result_drawing.h"
 #include "report/html.h"
 #include "support/camera.h"

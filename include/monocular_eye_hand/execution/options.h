@@ -16,6 +16,7 @@ struct WorkTable {
   double x = 0.55, y = 0, z = 0.3, yaw = 0;            ///< middle of the top in base_link [m, rad]
   double length = 0.6, width = 1.0, thickness = 0.03;  ///< along its x and y, downwards [m]
 
+  Rigid3 baseFromBox() const;  ///< of the box's middle
   void check() const;
   template <class Visitor>
   void visit(Visitor&& v) {

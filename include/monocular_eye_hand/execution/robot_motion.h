@@ -25,8 +25,8 @@ struct MotionMonitor {
 };
 
 /// What is wrong with a robot that tells nothing for longer than the options allow; "" while it tells.
-std::string jointSilence(const Robot& robot, const RobotState& state, const ExecutionOptions& options);
-std::string gripperSilence(const Robot& robot, const RobotState& state, const ExecutionOptions& options);
+std::string missingJoints(const Robot& robot, const RobotState& state, const ExecutionOptions& options);
+std::string missingGripper(const Robot& robot, const RobotState& state, const ExecutionOptions& options);
 
 /// Single motions of arm and gripper. Calls block. Whenever a motion ends otherwise than done the arm was
 /// told to stop, and was waited for.

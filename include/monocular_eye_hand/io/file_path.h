@@ -10,4 +10,9 @@ namespace monocular_eye_hand {
 /// package, variable or scheme that is not known and what to do; the file itself need not exist.
 std::string resolvedPath(const std::string& name, const std::string& folder = "");
 
+/// The path that a parameter means. Nodes of a launch file run in a folder of ROS; the shell's own one is
+/// still in $PWD, so a relative path that is not found here is looked for there. URLs, ~ and $VARIABLE are
+/// left as they are, "" too. Throws BadInput naming the parameter and both folders when neither has it.
+std::string pathParameter(const std::string& parameter, const std::string& path);
+
 }  // namespace monocular_eye_hand

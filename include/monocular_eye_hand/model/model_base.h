@@ -33,10 +33,4 @@ ModelBase compileModels(const std::vector<ObjectEntry>& entries, ModelDepth dept
 ModelBase loadModels(const std::string& yaml_path, ModelDepth depth, const ViewOptions& views = {},
                      const std::string& cache_dir = "", const CompileProgress& progress = {});
 
-/// The same with views.
-ModelBase compileModelBase(const std::vector<ObjectEntry>& entries, const ViewOptions& views = {},
-                           const std::string& cache_dir = "", const CompileProgress& progress = {});
-ModelBase loadModelBase(const std::string& yaml_path, const ViewOptions& views = {},
-                        const std::string& cache_dir = "", const CompileProgress& progress = {});
-
 }  // namespace monocular_eye_hand

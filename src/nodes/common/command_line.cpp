@@ -2,16 +2,12 @@
 
 #include <ros/init.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <sstream>
 #include <vector>
 
 namespace monocular_eye_hand {
 namespace {
-
-namespace fs = std::filesystem;
 
 void addLine(const char* head, const std::string& text, std::string* all) {
   if (!text.empty()) *all += std::string(head) + text + "\n";
@@ -23,16 +19,6 @@ std::string indented(const std::string& text) {
   for (std::string line; std::getline(lines, line);) out += "  " + line + "\n";
   return out;
 }
-
-/// A file or folder, or a pattern of files in a folder that is there.
-bool found(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::exists(path, ignored)) return true;
-  const bool pattern = path.filename().string().find('%') != std::string::npos;
-  return pattern && fs::is_directory(path.parent_path(), ignored);
-}
-
-}  // namespace
 
 std::string helpText(const NodeHelp& help, const OptionTree& parameters) {
   std::string text = "Node " + help.name + ": " + help.job + "\n\n";
@@ -46,6 +32,8 @@ std::string helpText(const NodeHelp& help, const OptionTree& parameters) {
   text += (help.config.empty() ? "" : " and " + help.config) + ":\n";
   return text + indented(toYaml(parameters));
 }
+
+}  // namespace
 
 std::optional<int> exitAtCommandLine(int argc, char** argv, const NodeHelp& help,
                                      const OptionTree& parameters) {
@@ -62,19 +50,6 @@ std::optional<int> exitAtCommandLine(int argc, char** argv, const NodeHelp& help
   std::cerr << help.name << ": '" << first
             << "' is no argument of a node: parameters are given as _NAME:=VALUE; --help lists them\n";
   return 1;
-}
-
-std::string pathParameter(const std::string& parameter, const std::string& path) {
-  const bool plain = path.find("://") == std::string::npos && path.find('$') == std::string::npos;
-  if (path.empty() || !plain || path[0] == '/' || path[0] == '~' || found(path)) return path;
-  std::error_code ignored;
-  const std::string here = fs::current_path(ignored).string();
-  const char* shell = std::getenv("PWD");
-  if (shell && found(fs::path(shell) / path)) return (fs::path(shell) / path).string();
-  std::string folders = here;
-  if (shell && shell != here) folders += ", nor in " + std::string(shell);
-  throw BadInput(parameter + ": there is no " + path + " in " + folders + ": give the whole path, as " +
-                 parameter + ":=$PWD/" + path);
 }
 
 }  // namespace monocular_eye_hand

@@ -1,5 +1,7 @@
 #include "nodes/common/conversion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -9,16 +11,11 @@
 namespace monocular_eye_hand {
 namespace {
 
-uint8_t toDecision(Decision decision) {
-  switch (decision) {
-    case Decision::kAccepted:
-      return RecognizedObject::ACCEPTED;
-    case Decision::kAmbiguous:
-      return RecognizedObject::AMBIGUOUS;
-    case Decision::kRejected:
-      break;
-  }
-  return RecognizedObject::REJECTED;
+using RowMajor6d = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+uint8_t codeOf(Decision decision) {
+  if (decision == Decision::kAccepted) return RecognizedObject::ACCEPTED;
+  return decision == Decision::kAmbiguous ? RecognizedObject::AMBIGUOUS : RecognizedObject::REJECTED;
 }
 
 // RegionOfInterest is unsigned: a box that begins outside the image begins at 0.
@@ -77,16 +74,19 @@ Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what) {
   const double sum = pose.position.x + pose.position.y + pose.position.z + length;
   if (!std::isfinite(sum)) throw BadInput(what + " is not finite");
   if (std::abs(length - 1) > 0.01)
-    throw BadInput(what + ": its quaternion has length " + std::to_string(length) + " and must have 1");
+    throw BadInput(fmt::format("{}: its quaternion has length {:.6f} and must have 1", what, length));
   return fromPose(pose);
 }
 
 geometry_msgs::PoseWithCovariance toPose(const Rigid3& a_from_b, const Matrix6d& covariance) {
   geometry_msgs::PoseWithCovariance pose;
   pose.pose = toPose(a_from_b);
-  for (int row = 0; row < 6; ++row)
-    for (int col = 0; col < 6; ++col) pose.covariance[size_t(row * 6 + col)] = covariance(row, col);
+  Eigen::Map<RowMajor6d>(pose.covariance.data()) = covariance;
   return pose;
+}
+
+Matrix6d covarianceOf(const geometry_msgs::PoseWithCovariance& message) {
+  return Eigen::Map<const RowMajor6d>(message.covariance.data());
 }
 
 geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, const std::string& child,
@@ -106,7 +106,7 @@ std::string objectFrame(const std::string& prefix, const std::string& name, int 
   std::string frame = prefix + name;
   for (char& c : frame)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.' && c != '/') c = '_';
-  return frame + "_" + std::to_string(number);
+  return fmt::format("{}_{}", frame, number);
 }
 
 RecognizedObject toMessage(const std_msgs::Header& header, const ObjectEstimate& object, int instance,
@@ -119,7 +119,7 @@ RecognizedObject toMessage(const std_msgs::Header& header, const ObjectEstimate&
   message.plausibility = object.plausibility;
   message.reliability = object.reliability;
   message.probability = object.probability;
-  message.decision = toDecision(object.decision);
+  message.decision = codeOf(object.decision);
 
   for (const Alternative& alternative : object.alternatives) {
     monocular_eye_hand::PoseAlternative entry;

@@ -26,6 +26,7 @@ Rigid3 fromTransform(const geometry_msgs::Transform& transform);
 Rigid3 poseOf(const geometry_msgs::Pose& pose, const std::string& what);
 /// Row-major, order x, y, z, rotation about x, y, z: the core's own order.
 geometry_msgs::PoseWithCovariance toPose(const Rigid3& a_from_b, const Matrix6d& covariance);
+Matrix6d covarianceOf(const geometry_msgs::PoseWithCovariance& message);
 /// `header.frame_id` is frame a, `child` frame b.
 geometry_msgs::TransformStamped toTransform(const std_msgs::Header& header, const std::string& child,
                                             const Rigid3& a_from_b);

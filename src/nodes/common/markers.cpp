@@ -1,8 +1,9 @@
 #include "nodes/common/markers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "monocular_eye_hand/drawing/canvas.h"
 #include "monocular_eye_hand/model/wireframe.h"
@@ -28,10 +29,8 @@ std::array<std::string, 3> namespacesOf(const std::string& name) {
 }
 
 std::string labelText(const ObjectEstimate& object, int instance) {
-  char probability[16];
-  std::snprintf(probability, sizeof probability, "%.2f", object.probability);
-  std::string text = object.name + "_" + std::to_string(instance) + " " + probability;
-  return object.decision == Decision::kAmbiguous ? text + " ambiguous" : text;
+  const char* ambiguous = object.decision == Decision::kAmbiguous ? " ambiguous" : "";
+  return fmt::format("{}_{} {:.2f}{}", object.name, instance, object.probability, ambiguous);
 }
 
 Marker edgesOf(const ObjectModel& model) {

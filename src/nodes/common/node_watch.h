@@ -1,17 +1,17 @@
 #pragma once
-#include <ros/time.h>
-
 #include <atomic>
 #include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
 
+#include "monocular_eye_hand/io/clock_watch.h"
+
 namespace monocular_eye_hand {
 
-/// What every node lives by, watched on a thread of its own: the clock and the master. Says once that
-/// use_sim_time is set and nobody publishes /clock, that the clock stands, and that it goes on again. Ends
-/// the node when its master was restarted: a new one does not know its topics, and nobody would find them.
+/// What every node lives by, watched on a thread of its own: the clock (as ClockWatch tells) and the master.
+/// Ends the node when its master was restarted: a new one does not know its topics, and nobody would find
+/// them.
 class NodeWatch {
  public:
   /// `end`: ends the node; ros::requestShutdown() when it is empty. Create it after the first NodeHandle.
@@ -20,20 +20,17 @@ class NodeWatch {
   NodeWatch(const NodeWatch&) = delete;
   NodeWatch& operator=(const NodeWatch&) = delete;
 
-  /// "the clock stands at 12.300 s since 8.1 s" and what that means for waits; "" while it goes.
+  /// As ClockWatch::problem(); "" in real time.
   std::string clockProblem() const;
 
  private:
   void watch();
   void watchClock();
   void watchMaster();
-  void warnOfClock(double stands);
 
   const std::function<void()> end_;
   mutable std::mutex mutex_;
-  ros::Time clock_;
-  ros::WallTime ticked_at_;  // when the clock was last seen to go on
-  bool warned_ = false;      // that it stands
+  ClockWatch clock_;
   bool registered_ = false;  // the master has known this node
   bool master_silent_ = false;
   int unknown_ = 0;  // looks in a row at a master that did not know it any more

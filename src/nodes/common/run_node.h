@@ -15,7 +15,8 @@ struct NodeSetup {
   NodeHelp help;
   /// Keys below the node's name that libraries keep there (a plugin's settings below an image topic).
   std::vector<std::string> foreign_parameters;
-  /// The node ends by runUntilAsked(): an arm that moves is stopped before the topics go away.
+  /// SIGINT, SIGTERM, `rosnode kill` and a second node of the same name only ask the node to end, which does
+  /// so by runUntilAsked(): an arm that moves is stopped before the topics go away.
   bool ends_when_asked = false;
 };
 

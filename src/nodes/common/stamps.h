@@ -7,6 +7,8 @@ namespace monocular_eye_hand {
 
 inline Nanoseconds nanoseconds(const ros::Time& stamp) { return Nanoseconds(stamp.toNSec()); }
 
+inline ros::Time toTime(Nanoseconds stamp) { return ros::Time().fromNSec(uint64_t(stamp)); }
+
 /// A message's stamp, or `now` when its sender gave none.
 inline const ros::Time& stampOr(const ros::Time& stamp, const ros::Time& now) {
   return stamp.isZero() ? now : stamp;

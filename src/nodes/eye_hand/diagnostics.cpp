@@ -1,5 +1,7 @@
 #include "nodes/eye_hand/diagnostics.h"
 
+#include <fmt/format.h>
+
 namespace monocular_eye_hand {
 namespace {
 
@@ -8,10 +10,17 @@ constexpr double kSilence =
     10.0;  // without a view for so long the recogniser is reported [s], unless it waits to be asked
 constexpr double kLogAgain = 10.0;  // the same problem is logged again [s]
 
+std::string knownText(const MapState& known) {
+  std::string text;
+  for (const MappedObject& object : known.objects)
+    text += fmt::format("{}{} {}", text.empty() ? "knows " : ", ", object.name, object.number);
+  return text.empty() ? "knows nothing yet" : text;
+}
+
 }  // namespace
 
-EyeHandDiagnostics::EyeHandDiagnostics(double period, std::function<EyeHandState()> state)
-    : period_(period), state_(std::move(state)) {
+EyeHandDiagnostics::EyeHandDiagnostics(double period, const EyeHandParts& parts)
+    : period_(period), parts_(parts) {
   last_view_at_ = Moment::now();
   updater_.setHardwareID("none");
   updater_.add("views", this, &EyeHandDiagnostics::views);
@@ -52,36 +61,38 @@ void EyeHandDiagnostics::viewLeftOut() {
 }
 
 void EyeHandDiagnostics::views(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  const EyeHandState state = state_();
+  const std::string topic = parts_.views.getTopic(), known = knownText(parts_.map.known().map);
+  bool on_request = false;
+  ros::param::getCached(ros::names::parentNamespace(topic) + "/on_request", on_request);
+
   std::lock_guard<std::mutex> lock(mutex_);
-  if (state.objects_publishers == 0)
-    status.summary(DiagnosticStatus::WARN, "no view: nobody publishes " + state.objects_topic +
-                                               " (start the recognizer, or remap the topic)");
-  else if (last_view_at_.since() > kSilence && !state.on_request)
-    status.summary(DiagnosticStatus::WARN,
-                   "no view: " + state.objects_topic + " has a publisher but sends nothing");
+  if (parts_.views.getNumPublishers() == 0)
+    status.summaryf(DiagnosticStatus::WARN,
+                    "no view: nobody publishes %s (start the recognizer, or remap the topic)", topic.c_str());
+  else if (last_view_at_.since() > kSilence && !on_request)
+    status.summaryf(DiagnosticStatus::WARN, "no view: %s has a publisher but sends nothing", topic.c_str());
   else if (!problem_.empty())
     status.summary(DiagnosticStatus::ERROR, "the last view was not used: " + problem_);
   else
-    status.summary(DiagnosticStatus::OK, state.known);
+    status.summary(DiagnosticStatus::OK, known);
 
-  status.add("objects topic", state.objects_topic);
-  status.add("camera_info topic", state.info_topic);
-  status.add("camera_info publishers", state.info_publishers);
+  status.add("objects topic", topic);
+  status.add("camera_info topic", parts_.infos.getTopic());
+  status.add("camera_info publishers", parts_.infos.getNumPublishers());
   status.add("views used", used_);
   status.add("views refused", refused_);
   status.add("views from before a forget", left_out_);
   status.add("last view", outcomes_);
-  status.add("known", state.known);
-  status.add("seconds for all grasps", state.grasp_seconds);
+  status.add("known", known);
+  status.add("seconds for all grasps", parts_.outputs.lastGraspSeconds());
 }
 
 void EyeHandDiagnostics::arm(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  const EyeHandState state = state_();
-  if (state.arm_problem.empty())
+  const std::string problem = parts_.hand.now().problem;
+  if (problem.empty())
     status.summary(DiagnosticStatus::OK, "joint states arrive");
   else
-    status.summary(DiagnosticStatus::WARN, state.arm_problem);
+    status.summary(DiagnosticStatus::WARN, problem);
 }
 
 }  // namespace monocular_eye_hand

@@ -3,22 +3,23 @@
 #include <ros/ros.h>
 
 #include <cstdint>
-#include <functional>
 #include <mutex>
 #include <string>
 
+#include "monocular_eye_hand/eye_hand/shared_map.h"
 #include "nodes/common/moment.h"
+#include "nodes/eye_hand/hand_input.h"
+#include "nodes/eye_hand/outputs.h"
 
 namespace monocular_eye_hand {
 
-/// What the rest of the node tells on request.
-struct EyeHandState {
-  std::string objects_topic, info_topic;
-  uint32_t objects_publishers = 0, info_publishers = 0;
-  bool on_request = false;   ///< the recogniser works when it is asked only
-  std::string arm_problem;   ///< why the joints now are not known; "": they are
-  std::string known;         ///< the objects in words
-  double grasp_seconds = 0;  ///< the last time all best grasps were computed
+/// Of what the node tells; all must outlive the diagnostics.
+struct EyeHandParts {
+  const ros::Subscriber& views;
+  const ros::Subscriber& infos;
+  const HandInput& hand;
+  const SharedMap& map;
+  const EyeHandOutputs& outputs;
 };
 
 /// /diagnostics of the node eye_hand: "views" (do they arrive, are they used, why not) and "arm". The first
@@ -26,7 +27,7 @@ struct EyeHandState {
 /// nothing.
 class EyeHandDiagnostics {
  public:
-  EyeHandDiagnostics(double period, std::function<EyeHandState()> state);
+  EyeHandDiagnostics(double period, const EyeHandParts& parts);
   void start();
   void viewUsed(const std::string& outcomes);
   void viewRefused(const std::string& reason);
@@ -38,7 +39,7 @@ class EyeHandDiagnostics {
   void arm(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const double period_;
-  const std::function<EyeHandState()> state_;
+  const EyeHandParts parts_;
   std::mutex mutex_;
   uint64_t used_ = 0, refused_ = 0, left_out_ = 0;
   std::string problem_, outcomes_;

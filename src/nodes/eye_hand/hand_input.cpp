@@ -1,16 +1,15 @@
 #include "nodes/eye_hand/hand_input.h"
 
-#include <cmath>
-#include <sstream>
+#include <fmt/format.h>
 
-#include "monocular_eye_hand/geometry/seconds_text.h"
+#include <cmath>
+
 #include "nodes/common/conversion.h"
 #include "nodes/common/moment.h"
 #include "nodes/common/names.h"
 #include "nodes/common/optical_frame.h"
 #include "nodes/common/robot_messages.h"
 #include "nodes/common/stamps.h"
-#include "nodes/eye_hand/conversion.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -56,8 +55,8 @@ std::string HandInput::tableHeight(const ros::Time& stamp, double* height) const
       lookUp(parameters_.base_frame, parameters_.table_frame, stamp, &base_from_table);
   if (!problem.empty()) return problem + " (the parameter table_frame)";
   if (base_from_table.rotation(2, 2) < kLevel)
-    return "table_frame = " + parameters_.table_frame + " is not level in " + parameters_.base_frame +
-           ": its z axis must point up";
+    return fmt::format("table_frame = {} is not level in {}: its z axis must point up",
+                       parameters_.table_frame, parameters_.base_frame);
   *height += base_from_table.translation.z();
   return "";
 }
@@ -108,21 +107,19 @@ std::string HandInput::mismatch(const Rigid3& by_joints, const Rigid3& by_tf) co
   const double distance = gap.head<3>().norm(), angle = gap.tail<3>().norm();
   if (distance <= parameters_.max_tf_distance && angle <= parameters_.max_tf_turn) return "";
 
-  std::ostringstream text;
-  text << "tf puts " << parameters_.tool_frame << " " << 1000 * distance << " mm and " << angle
-       << " rad from where the joint states put it in " << parameters_.base_frame
-       << ": one of them is not this arm's, or its frames are not";
-  return text.str();
+  return fmt::format(
+      "tf puts {} {:.3g} mm and {:.3g} rad from where the joint states put it in {}: one of them is not this "
+      "arm's, or "
+      "its frames are not",
+      parameters_.tool_frame, 1000 * distance, angle, parameters_.base_frame);
 }
 
-std::string HandInput::current(JointVector* joints) const {
+ArmNow HandInput::now() const {
   const std::optional<JointHistory::Latest> latest = history_.latest();
-  if (!latest) return "no joint states on " + joints_.getTopic() + ": " + history_.problem();
-
-  *joints = latest->joints;
+  if (!latest) return {{}, fmt::format("no joint states on {}: {}", joints_.getTopic(), history_.problem())};
   const double age = secondsBetween(latest->stamp, nanoseconds(ros::Time::now()));
-  if (age <= parameters_.max_joint_age) return "";
-  return "the last joint state on " + joints_.getTopic() + " is " + secondsText(age) + " old";
+  if (age <= parameters_.max_joint_age) return {latest->joints, ""};
+  return {latest->joints, fmt::format("the last joint state on {} is {:.3f} s old", joints_.getTopic(), age)};
 }
 
 std::string HandInput::lookUp(const std::string& target, const std::string& source, const ros::Time& stamp,
@@ -131,8 +128,8 @@ std::string HandInput::lookUp(const std::string& target, const std::string& sour
     *target_from_source = fromTransform(buffer_.lookupTransform(target, source, stamp).transform);
     return "";
   } catch (const tf2::TransformException& e) {
-    return "no transform from " + source + " to " + target +
-           " at the image's stamp: " + withoutFullStop(e.what());
+    return fmt::format("no transform from {} to {} at the image's stamp: {}", source, target,
+                       withoutFullStop(e.what()));
   }
 }
 
@@ -142,15 +139,11 @@ std::string HandInput::opticalFrameIn(const std::string& frame) const {
 
 std::string HandInput::noJointsText(const ros::Time& stamp) const {
   const std::optional<JointHistory::Latest> latest = history_.latest();
-  std::ostringstream text;
-  text << "no joint state within " << parameters_.max_joint_gap << " s of the image's stamp on "
-       << joints_.getTopic();
-  if (latest)
-    text << ": the latest one is " << secondsText(secondsBetween(latest->stamp, nanoseconds(stamp)))
-         << " older";
-  else
-    text << ": " << history_.problem();
-  return text.str();
+  const std::string why = latest ? fmt::format("the latest one is {:.3f} s older",
+                                               secondsBetween(latest->stamp, nanoseconds(stamp)))
+                                 : history_.problem();
+  return fmt::format("no joint state within {:g} s of the image's stamp on {}: {}", parameters_.max_joint_gap,
+                     joints_.getTopic(), why);
 }
 
 }  // namespace monocular_eye_hand

@@ -10,7 +10,8 @@
 #include "monocular_eye_hand/arm/gripper_history.h"
 #include "monocular_eye_hand/arm/joint_history.h"
 #include "monocular_eye_hand/eye_hand/chain.h"
-#include "nodes/eye_hand/parameters.h"
+#include "monocular_eye_hand/grasp/grasp_advisor.h"
+#include "monocular_eye_hand/parameters/eye_hand.h"
 
 namespace monocular_eye_hand {
 
@@ -32,9 +33,8 @@ class HandInput {
   /// Waits for what is late, as long as the parameter `wait` says or until `stop`.
   HandAtStamp at(const ros::Time& stamp, const std::string& camera_frame,
                  const std::function<bool()>& stop) const;
-  /// The joints now; returns why they are not known, "" when they are.
-  std::string current(JointVector* joints) const;
-  uint32_t jointPublishers() const { return joints_.getNumPublishers(); }
+  /// Where the arm stands, by a joint state that is not too old.
+  ArmNow now() const;
   /// As opticalFrameIn() of tf.
   std::string opticalFrameIn(const std::string& frame) const;
   /// Stamps start again: what was known of tf is forgotten.

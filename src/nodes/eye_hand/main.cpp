@@ -1,15 +1,37 @@
 #include <ros/ros.h>
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
 
-#include "monocular_eye_hand/arm/arm_description.h"
-#include "monocular_eye_hand/geometry/error.h"
+#include "monocular_eye_hand/io/file_path.h"
+#include "monocular_eye_hand/model/model_base.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/run_node.h"
 #include "nodes/eye_hand/node.h"
-#include "nodes/eye_hand/setup.h"
 
 namespace meh = monocular_eye_hand;
+
+namespace {
+
+// roslaunch may drop or add what surrounds the document.
+std::string trimmed(const std::string& text) {
+  const size_t first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+/// When /robot_description is not what the file says.
+void warnOfOtherRobot(const std::string& urdf) {
+  std::string described;
+  if (!ros::param::get("robot_description", described)) return;
+  std::ifstream file(urdf);
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  if (trimmed(described) != trimmed(text))
+    ROS_WARN("robot_description is not what %s says: tf and grasps may be of two different arms",
+             urdf.c_str());
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   meh::NodeSetup setup;
@@ -30,8 +52,8 @@ int main(int argc, char** argv) {
 
         const meh::Puma560 arm(parameters.arm);
         const meh::ArmDescription description = meh::loadSameArm(parameters, arm);
-        meh::warnOfOtherRobot(parameters.urdf);
-        const meh::ModelBase models = meh::loadShapes(parameters.objects);
+        warnOfOtherRobot(parameters.urdf);
+        const meh::ModelBase models = meh::loadModels(parameters.objects, meh::ModelDepth::kShape);
 
         const auto start = std::chrono::steady_clock::now();
         const meh::GraspAdvisor advisor(models, parameters, arm, description.tool0_from_tcp);

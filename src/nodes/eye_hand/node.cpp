@@ -1,5 +1,7 @@
 #include "nodes/eye_hand/node.h"
 
+#include <fmt/format.h>
+
 #include "monocular_eye_hand/eye_hand/frame_axes.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/grasp/known_cell.h"
@@ -8,8 +10,7 @@
 #include "nodes/common/names.h"
 #include "nodes/common/node_on.h"
 #include "nodes/common/stamps.h"
-#include "nodes/eye_hand/conversion.h"
-#include "nodes/eye_hand/grasp_messages.h"
+#include "nodes/eye_hand/messages.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -29,10 +30,10 @@ EyeHandNode::EyeHandNode(const ModelBase& models, const EyeHandParameters& param
       parameters_(parameters),
       advisor_(advisor),
       hand_(parameters, arm),
-      map_(models, parameters.map, parameters.base_frame),
-      outputs_(models, parameters, advisor, [this] { return armNow(); }),
+      map_(&models, parameters.map),
+      outputs_(models, parameters, advisor, [this] { return hand_.now(); }),
       service_node_(nodeOn(&service_queue_, "~")),
-      diagnostics_(parameters.diagnostic_period, [this] { return state(); }),
+      diagnostics_(parameters.diagnostic_period, {views_, infos_, hand_, map_, outputs_}),
       service_spinner_(kServiceThreads, &service_queue_) {
   infos_ = node_.subscribe(names::kCameraInfo, 10, &EyeHandNode::onInfo, this);
   views_ = node_.subscribe(names::kRecognizedObjects, 100, &EyeHandNode::onView, this);
@@ -64,8 +65,8 @@ void EyeHandNode::onView(const RecognizedObjectArrayConstPtr& view) {
   }
   changed_.notify_all();
   if (overtaken)
-    refuse(*overtaken, std::to_string(parameters_.max_waiting) +
-                           " newer views came while it waited for its turn behind one without tf");
+    refuse(*overtaken, fmt::format("{} newer views came while it waited for its turn behind one without tf",
+                                   parameters_.max_waiting));
 }
 
 void EyeHandNode::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
@@ -126,7 +127,7 @@ std::string EyeHandNode::merge(const RecognizedObjectArray& view) {
   input.known = knownCell(parameters_, hand.table_height, hand.hand.base_from_tool0 * advisor_.tool0FromTcp(),
                           hand.gripper);
 
-  const AddedView added = map_.add(input, view.header.stamp);
+  const AddedView added = map_.add(input, nanoseconds(view.header.stamp));
   if (added.before_forget) throw BeforeForget(added.report.refused);
   if (!added.report.refused.empty())
     throw BadInput(added.report.refused + " (call ~forget for every object)");
@@ -145,7 +146,7 @@ Camera EyeHandNode::camera() {
 }
 
 HandAtStamp EyeHandNode::handAt(const ros::Time& stamp, const std::string& camera_frame) {
-  const double went_back = map_.beginAgain(stamp);
+  const double went_back = map_.beginAgain(nanoseconds(stamp));
   if (went_back > 0)
     ROS_WARN("the stamps of the views went back by %.1f s: everything known is forgotten", went_back);
   HandAtStamp hand = hand_.at(stamp, camera_frame, [this] { return stop_ || !ros::ok(); });
@@ -158,20 +159,20 @@ HandAtStamp EyeHandNode::handAt(const ros::Time& stamp, const std::string& camer
 /// A camera's driver that names the body's frame puts every object somewhere else.
 void EyeHandNode::requireOpticalFrame(const ObjectView& view, const std::string& frame, double table_height) {
   if (frame == optical_frame_) return;
-  const std::string cure =
+  constexpr char kCure[] =
       "; set the parameter camera_frame of the recognizer to the optical frame (z forward)";
   const std::string optical = hand_.opticalFrameIn(frame);
   if (!optical.empty())
-    throw BadInput("the view's frame " + frame +
-                   " is the body of the camera (x forward), whose optical frame is " + optical + cure);
+    throw BadInput(
+        fmt::format("the view's frame {} is the body of the camera (x forward), whose optical frame is {}{}",
+                    frame, optical, kCure));
   const FrameAxes axes = parameters_.table ? axesOf(view, models_, table_height) : FrameAxes::kUnknown;
   if (axes == FrameAxes::kOptical) optical_frame_ = frame;
   if (axes == FrameAxes::kBody)
-    throw BadInput(
-        "the view's frame " + frame +
-        " seems to be the body of the camera (x forward): with its axes the objects would stand on the "
-        "table, as they are none does" +
-        cure);
+    throw BadInput(fmt::format(
+        "the view's frame {} seems to be the body of the camera (x forward): with its axes the objects "
+        "would stand on the table, as they are none does{}",
+        frame, kCure));
 }
 
 void EyeHandNode::refuse(const RecognizedObjectArray& view, const std::string& reason) {
@@ -201,34 +202,12 @@ void EyeHandNode::watchClock() {
   last_now_ = now;
 }
 
-ArmNow EyeHandNode::armNow() const {
-  ArmNow now;
-  now.problem = hand_.current(&now.joints);
-  return now;
-}
-
-EyeHandState EyeHandNode::state() const {
-  EyeHandState state;
-  state.objects_topic = views_.getTopic();
-  state.info_topic = infos_.getTopic();
-  state.objects_publishers = views_.getNumPublishers();
-  state.info_publishers = infos_.getNumPublishers();
-  ros::param::getCached(ros::names::parentNamespace(views_.getTopic()) + "/on_request", state.on_request);
-  state.arm_problem = armNow().problem;
-  for (const LocatedObject& object : map_.known().messages)
-    state.known +=
-        (state.known.empty() ? "knows " : ", ") + object.name + " " + std::to_string(object.instance);
-  if (state.known.empty()) state.known = "knows nothing yet";
-  state.grasp_seconds = outputs_.lastGraspSeconds();
-  return state;
-}
-
 bool EyeHandNode::onGraspTargets(GraspTargets::Request& request, GraspTargets::Response& response) {
   try {
     const KnownObjects known = map_.known();
-    const double table_height = parameters_.table_height;
-    response =
-        toMessage(advisor_.answer(request.name, request.instance, known.map, armNow(), table_height), known);
+    const GraspAnswer answer =
+        advisor_.answer(request.name, request.instance, known.map, hand_.now(), parameters_.table_height);
+    response = toMessage(answer, known, parameters_.base_frame);
   } catch (const std::exception& e) {
     response.status = GraspTargets::Response::NO_GRASP;
     response.text = std::string("planning grasps failed: ") + e.what();
@@ -239,17 +218,17 @@ bool EyeHandNode::onGraspTargets(GraspTargets::Request& request, GraspTargets::R
 bool EyeHandNode::onForget(ForgetObject::Request& request, ForgetObject::Response& response) {
   const int object = request.name.empty() ? -1 : models_.indexOf(request.name);
   const std::string which =
-      request.name + (request.instance < 0 ? "" : " " + std::to_string(request.instance));
+      request.instance < 0 ? request.name : fmt::format("{} {}", request.name, request.instance);
   if (!request.name.empty() && object < 0) {
     response.text = "no object is named '" + request.name + "'; known: " + models_.names();
     return true;
   }
-  response.forgotten = map_.forget(object, request.instance, ros::Time::now());
+  response.forgotten = map_.forget(object, request.instance, nanoseconds(ros::Time::now()));
   if (response.forgotten == 0)
     response.text = "no " + (request.name.empty() ? "object" : which) + " is known";
   else
     response.text = "forgot " + (request.name.empty() ? "everything" : which);
-  if (response.forgotten > 0) publishKnown(map_.known().stamp, "");
+  if (response.forgotten > 0) publishKnown(toTime(map_.known().stamp), "");
   return true;
 }
 

@@ -13,11 +13,11 @@
 #include <string>
 #include <thread>
 
+#include "monocular_eye_hand/eye_hand/shared_map.h"
+#include "monocular_eye_hand/parameters/eye_hand.h"
 #include "nodes/eye_hand/diagnostics.h"
 #include "nodes/eye_hand/hand_input.h"
 #include "nodes/eye_hand/outputs.h"
-#include "nodes/eye_hand/parameters.h"
-#include "nodes/eye_hand/shared_map.h"
 
 namespace monocular_eye_hand {
 
@@ -48,8 +48,6 @@ class EyeHandNode {
   void publishKnown(const ros::Time& stamp, const std::string& refused);
   sensor_msgs::CameraInfoConstPtr waitForInfo();
   void watchClock();
-  ArmNow armNow() const;
-  EyeHandState state() const;
 
   const ModelBase& models_;
   const EyeHandParameters& parameters_;

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "nodes/common/names.h"
-#include "nodes/eye_hand/grasp_messages.h"
+#include "nodes/eye_hand/messages.h"
 
 namespace monocular_eye_hand {
 
@@ -45,7 +45,7 @@ void EyeHandOutputs::publish(const KnownObjects& known, const ros::Time& stamp, 
   LocatedObjectArray array;
   array.header.stamp = stamp;
   array.header.frame_id = parameters_.base_frame;
-  array.objects = known.messages;
+  array.objects = toMessages(known, parameters_.base_frame);
   array.refused = refused;
   if (refused.empty()) array.ruled_out = known.map.ruled_out;
   objects_.publish(array);

@@ -9,10 +9,9 @@
 #include <thread>
 
 #include "monocular_eye_hand/grasp/grasp_advisor.h"
+#include "monocular_eye_hand/parameters/eye_hand.h"
 #include "nodes/common/markers.h"
-#include "nodes/eye_hand/grasp_arrows.h"
-#include "nodes/eye_hand/parameters.h"
-#include "nodes/eye_hand/shared_map.h"
+#include "nodes/eye_hand/messages.h"
 
 namespace monocular_eye_hand {
 

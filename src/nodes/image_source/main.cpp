@@ -1,5 +1,6 @@
 #include <ros/ros.h>
 
+#include "monocular_eye_hand/io/file_path.h"
 #include "nodes/common/run_node.h"
 #include "nodes/image_source/node.h"
 

@@ -1,6 +1,7 @@
 #include "nodes/image_source/node.h"
 
 #include <cv_bridge/cv_bridge.h>
+#include <fmt/format.h>
 #include <sensor_msgs/image_encodings.h>
 
 #include <filesystem>
@@ -15,7 +16,7 @@ namespace {
 
 namespace enc = sensor_msgs::image_encodings;
 
-std::string size(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string size(int width, int height) { return fmt::format("{}x{}", width, height); }
 
 const char* encodingOf(const cv::Mat& image) {
   if (image.channels() == 3) return image.depth() == CV_16U ? enc::BGR16.c_str() : enc::BGR8.c_str();
@@ -55,7 +56,8 @@ void ImageSourceNode::loadCalibration() {
   }
   const std::string file = resolvedPath(parameters_.camera_info);
   if (!std::filesystem::is_regular_file(file))
-    throw BadInput("camera_info: there is no file " + file + " (a calibration of these images is expected)");
+    throw BadInput(
+        fmt::format("camera_info: there is no file {} (a calibration of these images is expected)", file));
   const CameraFile read = readCalibration(file);
   // set_camera_info writes a YAML of camera_calibration: it goes over no other kind of file.
   const bool may_be_overwritten = read.kind == kRosYamlKind;
@@ -80,9 +82,9 @@ void ImageSourceNode::publish(const SequenceImage& image) {
     info.width = uint32_t(width);
     info.height = uint32_t(height);
   } else if (int(info.width) != width || int(info.height) != height) {
-    throw BadInput(image.name + " is " + size(width, height) + " but the calibration " +
-                   parameters_.camera_info + " is for " + size(int(info.width), int(info.height)) +
-                   ": give the calibration of these images");
+    throw BadInput(fmt::format(
+        "{} is {} but the calibration {} is for {}: give the calibration of these images", image.name,
+        size(width, height), parameters_.camera_info, size(int(info.width), int(info.height))));
   }
   std_msgs::Header header;
   header.frame_id = parameters_.frame_id;

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "nodes/image_source/image_sequence.h"
+#include "monocular_eye_hand/video/image_sequence.h"
 #include "nodes/image_source/parameters.h"
 
 namespace monocular_eye_hand {

@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "monocular_eye_hand/geometry/require.h"
+
 namespace monocular_eye_hand {
 
 /// Parameters of the node image_source.
@@ -14,7 +16,11 @@ struct ImageSourceParameters {
   bool colour = false;              ///< bgr8 instead of grey (mono8, mono16)
   bool wait_for_subscriber = true;  ///< publish nothing before the image has a subscriber
 
-  void check() const;  ///< throws BadInput naming field, value and rule
+  void check() const {
+    requireGiven("source", source, "an image, a folder, a pattern as img_%04d.png, or a video");
+    requireNotNegative("rate", rate);
+    requireGiven("frame_id", frame_id, "the camera's optical frame");
+  }
   template <class Visitor>
   void visit(Visitor&& v) {
     v("source", source);

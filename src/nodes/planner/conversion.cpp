@@ -1,5 +1,7 @@
 #include "nodes/planner/conversion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,14 +20,14 @@ constexpr double kMarkerLife = 60.0;    // of the line [s]
 
 double widthOf(double value, const char* field, double max_width) {
   if (value >= 0 && value <= max_width + 1e-9) return std::min(value, max_width);
-  throw BadInput(std::string("target.") + field + " = " + std::to_string(value) + " must be 0 to " +
-                 std::to_string(max_width) + " m, what the gripper can open");
+  throw BadInput(fmt::format("target.{} = {:.6g} must be 0 to {:.6g} m, what the gripper can open", field,
+                             value, max_width));
 }
 
 std::vector<JointVector> jointsOf(const MoveGoal& goal) {
   if (goal.joints.empty()) return {};
   if (goal.joints.size() != 6)
-    throw BadInput("joints holds " + std::to_string(goal.joints.size()) + " angles: give six, or none");
+    throw BadInput(fmt::format("joints holds {} angles: give six, or none", goal.joints.size()));
   const JointVector joints = Eigen::Map<const JointVector>(goal.joints.data());
   if (!joints.allFinite()) throw BadInput("joints is not finite");
   return {joints};
@@ -56,8 +58,8 @@ PickTarget pickTargetOf(const GraspTarget& target, const std::string& object, do
   pick.opening = widthOf(target.opening, "opening", gripper_width_max);
   pick.part_width = widthOf(target.width, "width", gripper_width_max);
   if (pick.opening < pick.part_width)
-    throw BadInput("target.opening = " + std::to_string(target.opening) +
-                   " must not be less than width = " + std::to_string(target.width) + " m");
+    throw BadInput(fmt::format("target.opening = {:.6g} must not be less than width = {:.6g} m",
+                               target.opening, target.width));
   return pick;
 }
 
@@ -68,12 +70,12 @@ std::vector<Rigid3> tcpPosesOf(const MoveGoal& goal, const ArmDescription& arm) 
   else if (goal.link == names::kCameraFrame)
     link_from_tcp = arm.tool0_from_camera.inverse() * arm.tool0_from_tcp;
   else if (goal.link != "gripper_tcp")
-    throw BadInput("there is no link '" + goal.link +
-                   "' to move: say tool0, gripper_tcp or camera_optical_frame");
+    throw BadInput(fmt::format(
+        "there is no link '{}' to move: say tool0, gripper_tcp or camera_optical_frame", goal.link));
   if (goal.poses.empty()) throw BadInput("neither poses nor joints: say where to");
   std::vector<Rigid3> poses;
   for (size_t i = 0; i < goal.poses.size(); ++i)
-    poses.push_back(poseOf(goal.poses[i], "poses[" + std::to_string(i) + "]") * link_from_tcp);
+    poses.push_back(poseOf(goal.poses[i], fmt::format("poses[{}]", i)) * link_from_tcp);
   return poses;
 }
 
@@ -81,8 +83,8 @@ PickOrder pickOrderOf(const PickGoal& goal, const std::string& base_frame, const
                       double gripper_width_max) {
   const std::string& frame = goal.target.header.frame_id;
   if (withoutSlash(frame) != base_frame)
-    throw BadInput("target.header.frame_id is '" + frame + "' and must be '" + base_frame +
-                   "', the arm's base");
+    throw BadInput(
+        fmt::format("target.header.frame_id is '{}' and must be '{}', the arm's base", frame, base_frame));
   scene.requireKnown(goal.target.name);
 
   PickOrder order;

@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <ros/ros.h>
 
+#include "monocular_eye_hand/io/file_path.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/run_node.h"
 #include "nodes/planner/node.h"
@@ -26,7 +28,8 @@ int main(int argc, char** argv) {
 
         ros::AsyncSpinner spinner(2);
         meh::PlannerNode planner(parameters, watch);
-        const std::string places = std::to_string(parameters.drop_zone.places().size());
-        meh::runUntilAsked(&spinner, places + " places in the drop zone", [&planner] { planner.stop(); });
+        meh::runUntilAsked(&spinner,
+                           fmt::format("{} places in the drop zone", parameters.drop_zone.places().size()),
+                           [&planner] { planner.stop(); });
       });
 }

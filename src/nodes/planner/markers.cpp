@@ -1,6 +1,6 @@
 #include "nodes/planner/markers.h"
 
-#include <Eigen/Geometry>
+#include <array>
 
 #include "nodes/common/conversion.h"
 #include "nodes/common/markers.h"
@@ -14,7 +14,7 @@ constexpr double kLineWidth = 0.004;    // [m]
 constexpr double kAboveTable = 0.001;   // of the lines, to be seen [m]
 constexpr double kStrokeLength = 0.04;  // of a place [m]
 
-Rigid3 upright(double x, double y, double z, double yaw) { return {expSO3({0, 0, yaw}), {x, y, z}}; }
+Rigid3 upright(double x, double y, double z, double yaw) { return poseOf(x, y, z, 0, 0, yaw); }
 
 Marker begin(const PlannerParameters& parameters, const char* space, int id, int type) {
   Marker marker;
@@ -28,26 +28,19 @@ Marker begin(const PlannerParameters& parameters, const char* space, int id, int
   return marker;
 }
 
-void setSize(double x, double y, double z, Marker* marker) {
-  marker->scale.x = x;
-  marker->scale.y = y;
-  marker->scale.z = z;
+Marker boxMarker(const PlannerParameters& parameters, const char* space, int id, const Rigid3& base_from_box,
+                 const std::array<double, 3>& size) {
+  Marker marker = begin(parameters, space, id, Marker::CUBE);
+  marker.pose = toPose(base_from_box);
+  marker.scale.x = size[0];
+  marker.scale.y = size[1];
+  marker.scale.z = size[2];
+  return marker;
 }
 
 Marker tableMarker(const PlannerParameters& parameters) {
   const WorkTable& table = parameters.table;
-  Marker marker = begin(parameters, "table", 0, Marker::CUBE);
-  marker.pose = toPose(upright(table.x, table.y, table.z - table.thickness / 2, table.yaw));
-  setSize(table.length, table.width, table.thickness, &marker);
-  return marker;
-}
-
-Marker boxMarker(const PlannerParameters& parameters, int k) {
-  const CellBox& box = parameters.boxes[size_t(k)];
-  Marker marker = begin(parameters, "boxes", k, Marker::CUBE);
-  marker.pose = toPose(box.baseFromBox());
-  setSize(box.size[0], box.size[1], box.size[2], &marker);
-  return marker;
+  return boxMarker(parameters, "table", 0, table.baseFromBox(), {table.length, table.width, table.thickness});
 }
 
 /// In the plane of the shape.
@@ -67,10 +60,8 @@ Marker dropZoneMarker(const PlannerParameters& parameters) {
   if (zone.list.empty()) {
     const Rigid3 rectangle = upright(zone.x, zone.y, z, zone.yaw);
     const double a = zone.length / 2, b = zone.width / 2;
-    addFlatLine(rectangle, {-a, -b}, {a, -b}, &marker);
-    addFlatLine(rectangle, {a, -b}, {a, b}, &marker);
-    addFlatLine(rectangle, {a, b}, {-a, b}, &marker);
-    addFlatLine(rectangle, {-a, b}, {-a, -b}, &marker);
+    const std::array<Eigen::Vector2d, 4> corners{Eigen::Vector2d(-a, -b), {a, -b}, {a, b}, {-a, b}};
+    for (size_t k = 0; k < 4; ++k) addFlatLine(rectangle, corners[k], corners[(k + 1) % 4], &marker);
   }
 
   for (const DropPlace& place : zone.places())
@@ -84,7 +75,9 @@ Marker dropZoneMarker(const PlannerParameters& parameters) {
 visualization_msgs::MarkerArray cellMarkers(const PlannerParameters& parameters) {
   visualization_msgs::MarkerArray array;
   array.markers = {tableMarker(parameters), dropZoneMarker(parameters)};
-  for (int k = 0; k < int(parameters.boxes.size()); ++k) array.markers.push_back(boxMarker(parameters, k));
+  const std::vector<CellBox>& boxes = parameters.boxes;
+  for (size_t k = 0; k < boxes.size(); ++k)
+    array.markers.push_back(boxMarker(parameters, "boxes", int(k), boxes[k].baseFromBox(), boxes[k].size));
   return array;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <visualization_msgs/MarkerArray.h>
 
-#include "nodes/planner/parameters.h"
+#include "monocular_eye_hand/parameters/planner.h"
 
 namespace monocular_eye_hand {
 

@@ -1,15 +1,15 @@
 #include "nodes/planner/node.h"
 
+#include <fmt/format.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "monocular_eye_hand/geometry/error.h"
-#include "nodes/common/action_outcome.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/markers.h"
 #include "nodes/common/names.h"
+#include "nodes/common/robot_messages.h"
 #include "nodes/planner/conversion.h"
 #include "nodes/planner/markers.h"
 
@@ -46,20 +46,18 @@ ActionResult fault(const std::string& reason) {
 }  // namespace
 
 template <class Action>
-void PlannerNode::serve(ServerPtr<Action>* server, const char* name, Work<Action> work) {
-  const auto on_goal = [this, server, name, work](const boost::shared_ptr<const GoalOf<Action>>& goal) {
-    run<Action>(server->get(), name,
-                [&](const ActionMonitor& monitor) { return (this->*work)(*goal, monitor); });
+void PlannerNode::serve(ServerPtr<Action>* server, const char* name,
+                        const Work<typename Server<Action>::Goal>& work) {
+  const auto on_goal = [this, server, name, work](const typename Server<Action>::GoalConstPtr& goal) {
+    run<Action>(server->get(), name, [&](const ActionMonitor& monitor) { return work(*goal, monitor); });
   };
-  *server = std::make_unique<actionlib::SimpleActionServer<Action>>(private_node_, name, on_goal, false);
+  *server = std::make_unique<Server<Action>>(private_node_, name, on_goal, false);
   (*server)->start();
 }
 
 template <class Action>
-void PlannerNode::run(actionlib::SimpleActionServer<Action>* server, const char* action,
+void PlannerNode::run(Server<Action>* server, const char* name,
                       const std::function<ActionResult(const ActionMonitor&)>& work) {
-  using Feedback = typename Action::_action_feedback_type::_feedback_type;
-  using Result = typename Action::_action_result_type::_result_type;
   ActionResult ended;
   {
     const std::unique_lock<std::mutex> lock(busy_, std::try_to_lock);
@@ -68,29 +66,39 @@ void PlannerNode::run(actionlib::SimpleActionServer<Action>* server, const char*
     } else if (!lock.owns_lock()) {
       ended = fault("busy with " + running() + ": one action at a time; nothing moved");
     } else {
-      setRunning(action);
-      const auto preempted = [server] { return server->isPreemptRequested(); };
-      const auto report = [server](const std::string& stage, double progress) {
-        Feedback feedback;
-        feedback.stage = stage;
-        feedback.progress = progress;
-        server->publishFeedback(feedback);
-      };
-      ended = guarded(monitorOf(preempted, report), work);
-      remember(action, ended);
+      setRunning(name);
+      ended = guarded([&] { return work(monitorOf<Action>(server)); });
+      remember(name, ended);
     }
   }  // free for the next goal before this one's result is known
 
-  const Result result = toMessage<Result>(ended);
+  const auto result = toMessage<typename Server<Action>::Result>(ended);
   if (ended.done()) {
     server->setSucceeded(result);
     return;
   }
-  ROS_WARN("%s: %s", action, ended.reason.c_str());
+  ROS_WARN("%s: %s", name, ended.reason.c_str());
   if (ended.outcome == ActionOutcome::kCancelled)
     server->setPreempted(result, ended.reason);
   else
     server->setAborted(result, ended.reason);
+}
+
+template <class Action>
+ActionMonitor PlannerNode::monitorOf(Server<Action>* server) {
+  ActionMonitor monitor;
+  monitor.cancelled = [this, server] { return stopping_ || server->isPreemptRequested(); };
+  monitor.reportProgress = [server](const std::string& stage, double progress) {
+    typename Server<Action>::Feedback feedback;
+    feedback.stage = stage;
+    feedback.progress = progress;
+    server->publishFeedback(feedback);
+  };
+  monitor.show = [this](const std::vector<Trajectory>& motions) {
+    path_.publish(pathMarker(parameters_.base_frame, executor_.arm(), motions));
+  };
+  monitor.log = [](const std::string& text) { ROS_INFO("%s", text.c_str()); };
+  return monitor;
 }
 
 PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& node_watch)
@@ -113,10 +121,14 @@ PlannerNode::PlannerNode(const PlannerParameters& parameters, const NodeWatch& n
   timer_ = node_.createWallTimer(ros::WallDuration(parameters.diagnostic_period),
                                  [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 
-  serve<PickAction>(&pick_, names::kPick, &PlannerNode::pick);
-  serve<PlaceAction>(&place_, names::kPlace, &PlannerNode::place);
-  serve<MoveAction>(&move_, names::kMove, &PlannerNode::move);
-  serve<RecoverAction>(&recover_, names::kRecover, &PlannerNode::recover);
+  using Monitor = ActionMonitor;
+  serve<PickAction>(&pick_, names::kPick, [this](const PickGoal& g, const Monitor& m) { return pick(g, m); });
+  serve<MoveAction>(&move_, names::kMove, [this](const MoveGoal& g, const Monitor& m) { return move(g, m); });
+  serve<PlaceAction>(&place_, names::kPlace, [this](const PlaceGoal& g, const Monitor& m) {
+    return executor_.place(PlaceOrder{g.place}, m);
+  });
+  serve<RecoverAction>(&recover_, names::kRecover,
+                       [this](const RecoverGoal&, const Monitor& m) { return executor_.recover(m); });
 }
 
 PlannerNode::~PlannerNode() { stop(); }
@@ -152,10 +164,6 @@ void PlannerNode::takeObjects() {
     ROS_WARN("%s is not in the model base, or its pose is broken: it is no obstacle", label.c_str());
 }
 
-void PlannerNode::show(const std::vector<Trajectory>& motions) {
-  path_.publish(pathMarker(parameters_.base_frame, executor_.arm(), motions));
-}
-
 std::string PlannerNode::running() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return running_;
@@ -165,24 +173,13 @@ void PlannerNode::setRunning(const std::string& action) {
   running_ = action;
 }
 
-ActionResult PlannerNode::guarded(const ActionMonitor& monitor,
-                                  const std::function<ActionResult(const ActionMonitor&)>& work) {
+ActionResult PlannerNode::guarded(const std::function<ActionResult()>& work) {
   try {
     takeObjects();
-    return work(monitor);
+    return work();
   } catch (const std::exception& e) {  // BadInput: silent topics, broken numbers; nothing moves then
     return fault(e.what());
   }
-}
-
-ActionMonitor PlannerNode::monitorOf(const std::function<bool()>& preempted,
-                                     const std::function<void(const std::string&, double)>& report) {
-  ActionMonitor monitor;
-  monitor.cancelled = [this, preempted] { return stopping_ || preempted(); };
-  monitor.reportProgress = report;
-  monitor.show = [this](const std::vector<Trajectory>& motions) { show(motions); };
-  monitor.log = [](const std::string& text) { ROS_INFO("%s", text.c_str()); };
-  return monitor;
 }
 
 ActionResult PlannerNode::pick(const PickGoal& goal, const ActionMonitor& monitor) {
@@ -197,14 +194,6 @@ ActionResult PlannerNode::pick(const PickGoal& goal, const ActionMonitor& monito
     return executor_.refuseBadGoal(e.what());
   }
   return executor_.pick(order, monitor);
-}
-
-ActionResult PlannerNode::place(const PlaceGoal& goal, const ActionMonitor& monitor) {
-  return executor_.place(PlaceOrder{goal.place}, monitor);
-}
-
-ActionResult PlannerNode::recover(const RecoverGoal&, const ActionMonitor& monitor) {
-  return executor_.recover(monitor);
 }
 
 ActionResult PlannerNode::move(const MoveGoal& goal, const ActionMonitor& monitor) {
@@ -232,8 +221,8 @@ void PlannerNode::remember(const char* action, const ActionResult& result) {
 void PlannerNode::robotStatus(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
   const RobotState state = robot_.state();
-  const std::string joints = jointSilence(robot_, state, parameters_.execution);
-  const std::string gripper = gripperSilence(robot_, state, parameters_.execution);
+  const std::string joints = missingJoints(robot_, state, parameters_.execution);
+  const std::string gripper = missingGripper(robot_, state, parameters_.execution);
   const std::string clock = node_watch_.clockProblem();
   if (!clock.empty())
     status.summary(DiagnosticStatus::WARN, clock + " Waits are paused");
@@ -252,9 +241,8 @@ void PlannerNode::planningStatus(diagnostic_updater::DiagnosticStatusWrapper& st
   status.add("goals done", done_);
   status.add("goals not done", not_done_);
   status.add("held", held_);
-  char stamp[32] = "none yet";
-  if (objects_) std::snprintf(stamp, sizeof stamp, "%.3f", objects_->header.stamp.toSec());
-  status.add("stamp of the objects heard of [s]", stamp);
+  status.add("stamp of the objects heard of [s]",
+             objects_ ? fmt::format("{:.3f}", objects_->header.stamp.toSec()) : "none yet");
   status.add("objects in the last plan", known_);
   status.add("objects put down and remembered", remembered_);
   status.add("planning time, last [s]", planning_time_);

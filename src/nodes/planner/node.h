@@ -15,9 +15,9 @@
 #include <string>
 
 #include "monocular_eye_hand/execution/executor.h"
+#include "monocular_eye_hand/parameters/planner.h"
 #include "nodes/common/node_watch.h"
 #include "nodes/planner/memory.h"
-#include "nodes/planner/parameters.h"
 #include "nodes/planner/ros_robot.h"
 
 namespace monocular_eye_hand {
@@ -35,29 +35,26 @@ class PlannerNode {
 
  private:
   template <class Action>
-  using ServerPtr = std::unique_ptr<actionlib::SimpleActionServer<Action>>;
+  using Server = actionlib::SimpleActionServer<Action>;
   template <class Action>
-  using GoalOf = typename Action::_action_goal_type::_goal_type;
-  template <class Action>
-  using Work = ActionResult (PlannerNode::*)(const GoalOf<Action>&, const ActionMonitor&);
+  using ServerPtr = std::unique_ptr<Server<Action>>;
+  template <class Goal>
+  using Work = std::function<ActionResult(const Goal&, const ActionMonitor&)>;
 
   /// Offers an action from now on.
   template <class Action>
-  void serve(ServerPtr<Action>* server, const char* name, Work<Action> work);
+  void serve(ServerPtr<Action>* server, const char* name, const Work<typename Server<Action>::Goal>& work);
+  /// Ends the server's goal with what `work` returns.
   template <class Action>
-  void run(actionlib::SimpleActionServer<Action>* server, const char* action,
+  void run(Server<Action>* server, const char* name,
            const std::function<ActionResult(const ActionMonitor&)>& work);
-  ActionResult guarded(const ActionMonitor& monitor,
-                       const std::function<ActionResult(const ActionMonitor&)>& work);
-  ActionMonitor monitorOf(const std::function<bool()>& preempted,
-                          const std::function<void(const std::string&, double)>& report);
+  template <class Action>
+  ActionMonitor monitorOf(Server<Action>* server);
+  ActionResult guarded(const std::function<ActionResult()>& work);
   ActionResult pick(const PickGoal& goal, const ActionMonitor& monitor);
-  ActionResult place(const PlaceGoal& goal, const ActionMonitor& monitor);
   ActionResult move(const MoveGoal& goal, const ActionMonitor& monitor);
-  ActionResult recover(const RecoverGoal& goal, const ActionMonitor& monitor);
   void onObjects(const LocatedObjectArrayConstPtr& message);
   void takeObjects();
-  void show(const std::vector<Trajectory>& motions);
   std::string running();
   void setRunning(const std::string& action);
   void remember(const char* action, const ActionResult& result);

@@ -1,5 +1,6 @@
 #include <ros/ros.h>
 
+#include "monocular_eye_hand/io/file_path.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "nodes/common/run_node.h"
 #include "nodes/recognizer/node.h"
@@ -22,8 +23,9 @@ int main(int argc, char** argv) {
         parameters.objects = meh::pathParameter("objects", parameters.objects);
         ROS_INFO("loading the model base %s (compiled once, then cached)", parameters.objects.c_str());
         const auto log = [](const std::string& step) { ROS_INFO("%s", step.c_str()); };
-        const meh::Recognizer recognizer(meh::loadModelBase(parameters.objects, {}, parameters.cache, log),
-                                         parameters.recognition);
+        const meh::Recognizer recognizer(
+            meh::loadModels(parameters.objects, meh::ModelDepth::kViews, {}, parameters.cache, log),
+            parameters.recognition);
         for (const meh::KnownObject& known : recognizer.models().objects)
           for (const std::string& warning : known.model.warnings)
             ROS_WARN("%s: %s", known.model.name.c_str(), warning.c_str());

@@ -1,7 +1,8 @@
 #include "nodes/recognizer/node.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
-#include <cstdio>
 
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/io/grey_pixels.h"
@@ -32,13 +33,11 @@ RawImage rawImage(const sensor_msgs::Image& message) {
 }
 
 std::string foundText(const std::vector<RecognizedObject>& objects) {
-  std::string text = "found ";
-  for (size_t i = 0; i < objects.size(); ++i) {
-    char probability[16];
-    std::snprintf(probability, sizeof probability, "%.2f", objects[i].probability);
-    text += (i ? ", " : "") + objects[i].name + "_" + std::to_string(objects[i].instance) + " (probability " +
-            probability + (objects[i].decision == RecognizedObject::AMBIGUOUS ? ", ambiguous)" : ")");
-  }
+  std::string text;
+  for (const RecognizedObject& object : objects)
+    text += fmt::format("{}{}_{} (probability {:.2f}{})", text.empty() ? "found " : ", ", object.name,
+                        object.instance, object.probability,
+                        object.decision == RecognizedObject::AMBIGUOUS ? ", ambiguous" : "");
   return text;
 }
 
@@ -98,8 +97,7 @@ void RecognizerNode::workOn(const CameraFrame& frame, const std::vector<PendingR
     warnAboutCamera(image.camera);
     diagnostics_.frameOdd(frameProblem(image.header.frame_id));
     outputs_.showView(image.header, image.camera);
-    diagnostics_.cameraGood(std::to_string(image.grey.cols) + "x" + std::to_string(image.grey.rows) + " " +
-                            frame.image->encoding);
+    diagnostics_.cameraGood(fmt::format("{}x{} {}", image.grey.cols, image.grey.rows, frame.image->encoding));
 
     // One object by name is looked for on its own: that search ends at the first good match. The search for
     // all serves whoever listens and every call for all; when it runs it alone is published.
@@ -140,10 +138,11 @@ void RecognizerNode::onFixedFrames(const tf2_msgs::TFMessage& message) {
 std::string RecognizerNode::frameProblem(const std::string& frame) const {
   const std::string optical = opticalFrameIn(fixed_frames_, frame);
   if (optical.empty()) return "";
-  return "the images' frame " + frame +
-         " is the body of the camera (x forward), and the objects lie elsewhere in it; "
-         "its optical frame is " +
-         optical + ": set the parameter camera_frame to that";
+  return fmt::format(
+      "the images' frame {} is the body of the camera (x forward), and the objects lie elsewhere in it; its "
+      "optical "
+      "frame is {}: set the parameter camera_frame to that",
+      frame, optical);
 }
 
 WorkedImage RecognizerNode::prepare(const CameraFrame& frame) const {
@@ -158,8 +157,10 @@ WorkedImage RecognizerNode::prepare(const CameraFrame& frame) const {
         "header.frame_id is empty: set the frame in the camera's driver, or the parameter camera_frame");
   image.grey = greyPixels(rawImage(*frame.image));
   if (!frame.info)
-    throw BadCameraInfo("none was received, " + std::to_string(input_.infoPublishers()) +
-                        " publishers: calibrate the camera, and remap camera_info if it has another name");
+    throw BadCameraInfo(
+        fmt::format("none was received, {} publishers: calibrate the camera, and remap camera_info if it has "
+                    "another name",
+                    input_.infoPublishers()));
   image.camera = cameraOf(fromMessage(*frame.info), kind(), image.grey.cols, image.grey.rows);
   return image;
 }
@@ -219,12 +220,10 @@ bool RecognizerNode::onRecognize(Recognize::Request& request, Recognize::Respons
 }
 
 std::string RecognizerNode::noImageText() const {
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%g", parameters_.service_timeout);
-  std::string text = "no image on " + input_.imageTopic() + " within " + seconds + " s";
-  return text + (input_.imagePublishers() == 0
-                     ? ": nobody publishes it (start the camera, or remap the topic)"
-                     : ": it has a publisher, which sent nothing");
+  return fmt::format("no image on {} within {:g} s: {}", input_.imageTopic(), parameters_.service_timeout,
+                     input_.imagePublishers() == 0
+                         ? "nobody publishes it (start the camera, or remap the topic)"
+                         : "it has a publisher, which sent nothing");
 }
 
 }  // namespace monocular_eye_hand

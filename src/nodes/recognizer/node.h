@@ -9,12 +9,12 @@
 #include <thread>
 #include <vector>
 
+#include "monocular_eye_hand/parameters/recognizer.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
 #include "monocular_eye_hand/tracking/object_tracker.h"
 #include "nodes/recognizer/camera_input.h"
 #include "nodes/recognizer/diagnostics.h"
 #include "nodes/recognizer/outputs.h"
-#include "nodes/recognizer/parameters.h"
 #include "nodes/recognizer/requests.h"
 #include "nodes/recognizer/support_input.h"
 

@@ -1,6 +1,7 @@
 #include "nodes/recognizer/outputs.h"
 
 #include <cv_bridge/cv_bridge.h>
+#include <fmt/format.h>
 #include <sensor_msgs/image_encodings.h>
 
 #include <algorithm>
@@ -87,7 +88,7 @@ void Outputs::publishFrames(const std_msgs::Header& header, const std::vector<Ob
 
 void Outputs::publishOverlay(const WorkedImage& image, const std::vector<int>& numbers) {
   RecognitionResult labelled = image.result;
-  for (size_t i = 0; i < numbers.size(); ++i) labelled.objects[i].name += "_" + std::to_string(numbers[i]);
+  for (size_t i = 0; i < numbers.size(); ++i) labelled.objects[i].name += fmt::format("_{}", numbers[i]);
   const cv::Mat picture = drawResult(image.grey, image.camera, models_, labelled, false, kOverlaySize);
   overlay_.publish(
       cv_bridge::CvImage(image.header, sensor_msgs::image_encodings::BGR8, picture).toImageMsg());

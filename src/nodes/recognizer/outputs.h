@@ -12,9 +12,9 @@
 
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/model/known_object.h"
+#include "monocular_eye_hand/parameters/recognizer.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 #include "nodes/common/markers.h"
-#include "nodes/recognizer/parameters.h"
 
 namespace monocular_eye_hand {
 

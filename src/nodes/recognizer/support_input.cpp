@@ -29,9 +29,8 @@ std::optional<SupportPlane> SupportInput::at(const std_msgs::Header& image) {
     ros::WallDuration(kPoll).sleep();
 
   try {
-    const auto transform =
-        transforms_->buffer.lookupTransform(image.frame_id, parameters_.frame, image.stamp);
-    return supportPlane(fromTransform(transform.transform), parameters_);
+    const auto found = transforms_->buffer.lookupTransform(image.frame_id, parameters_.frame, image.stamp);
+    return supportPlane(fromTransform(found.transform), parameters_.height, parameters_.tolerance);
   } catch (const tf2::TransformException& e) {
     ROS_WARN_THROTTLE(kWarnAgain,
                       "the support plane is not known, recognition goes on without it: no transform "

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "monocular_eye_hand/parameters/recognizer.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
-#include "nodes/recognizer/parameters.h"
 
 namespace monocular_eye_hand {
 

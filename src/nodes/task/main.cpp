@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 
+#include "monocular_eye_hand/io/file_path.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/run_node.h"
@@ -114,7 +115,8 @@ int main(int argc, char** argv) {
         parameters.base_frame = meh::withoutSlash(parameters.base_frame);
         parameters.objects = meh::pathParameter("objects", parameters.objects);
         parameters.urdf = meh::pathParameter("urdf", parameters.urdf);
-        const meh::ModelBase models = meh::loadModelBase(parameters.objects, {}, parameters.cache);
+        const meh::ModelBase models =
+            meh::loadModels(parameters.objects, meh::ModelDepth::kViews, {}, parameters.cache);
 
         ros::AsyncSpinner spinner(2);  // topics and answers arrive while the task waits for them
         spinner.start();

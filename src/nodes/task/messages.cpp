@@ -1,63 +1,41 @@
 #include "nodes/task/messages.h"
 
+#include <fmt/format.h>
+
+#include <array>
+
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/common/conversion.h"
-#include "nodes/eye_hand/conversion.h"
+#include "nodes/eye_hand/messages.h"
 
 namespace monocular_eye_hand {
 namespace {
 
-uint8_t code(ObjectOutcome outcome) {
-  switch (outcome) {
-    case ObjectOutcome::kWaiting:
-      return ClearedObject::WAITING;
-    case ObjectOutcome::kCarried:
-      return ClearedObject::CARRIED;
-    case ObjectOutcome::kGone:
-      return ClearedObject::GONE;
-    case ObjectOutcome::kLeft:
-      return ClearedObject::LEFT;
-    case ObjectOutcome::kHeld:
-      return ClearedObject::HELD;
-    case ObjectOutcome::kDropped:
-      return ClearedObject::DROPPED;
-    case ObjectOutcome::kDoubt:
-      return ClearedObject::DOUBT;
-  }
-  return ClearedObject::LEFT;
+uint8_t codeOf(ObjectOutcome outcome) {
+  using C = ClearedObject;
+  constexpr std::array<uint8_t, 7> kCodes{C::WAITING, C::CARRIED, C::GONE, C::LEFT,
+                                          C::HELD,    C::DROPPED, C::DOUBT};
+  return kCodes.at(size_t(outcome));
 }
 
-uint8_t code(TaskOutcome outcome) {
-  switch (outcome) {
-    case TaskOutcome::kCleared:
-      return ClearFrameResult::CLEARED;
-    case TaskOutcome::kLeftovers:
-      return ClearFrameResult::LEFTOVERS;
-    case TaskOutcome::kNoFrame:
-      return ClearFrameResult::NO_FRAME;
-    case TaskOutcome::kCancelled:
-      return ClearFrameResult::CANCELLED;
-    case TaskOutcome::kFault:
-      return ClearFrameResult::FAULT;
-  }
-  return ClearFrameResult::FAULT;
+uint8_t codeOf(TaskOutcome outcome) {
+  using R = ClearFrameResult;
+  constexpr std::array<uint8_t, 5> kCodes{R::CLEARED, R::LEFTOVERS, R::NO_FRAME, R::CANCELLED, R::FAULT};
+  return kCodes.at(size_t(outcome));
 }
 
 JointVector fromArray(const boost::array<double, 6>& joints) {
   return Eigen::Map<const JointVector>(joints.data());
 }
 
-Matrix6d covarianceOf(const geometry_msgs::PoseWithCovariance& message) {
-  return Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(message.covariance.data());
-}
-
 void requireGraspOf(const MappedObject& asked, const std::string& base_frame, const GraspTarget& target) {
   if (target.name != asked.name || target.instance != asked.number)
-    throw BadInput("eye_hand was asked for grasps of " + asked.name + " " + std::to_string(asked.number) +
-                   " and answered with one of " + target.name + " " + std::to_string(target.instance));
+    throw BadInput(fmt::format("eye_hand was asked for grasps of {} {} and answered with one of {} {}",
+                               asked.name, asked.number, target.name, target.instance));
   if (withoutSlash(target.header.frame_id) != base_frame)
-    throw BadInput("eye_hand plans grasps in the frame '" + target.header.frame_id + "', the task in '" +
-                   base_frame + "' (the parameters base_frame)");
+    throw BadInput(
+        fmt::format("eye_hand plans grasps in the frame '{}', the task in '{}' (the parameters base_frame)",
+                    target.header.frame_id, base_frame));
 }
 
 }  // namespace
@@ -66,8 +44,10 @@ MappedObject fromMessage(const LocatedObject& message, const ModelBase& models) 
   MappedObject object;
   object.object = models.indexOf(message.name);
   if (object.object < 0)
-    throw BadInput("eye_hand knows an object \"" + message.name + "\" that is not in the model base (" +
-                   models.names() + "): both nodes must load the same file");
+    throw BadInput(
+        fmt::format("eye_hand knows an object \"{}\" that is not in the model base ({}): both nodes must "
+                    "load the same file",
+                    message.name, models.names()));
   object.name = message.name;
   object.number = message.instance;
   object.base_from_object = poseOf(message.pose.pose, "the pose of " + message.name);
@@ -111,8 +91,8 @@ TaskGrasps fromMessage(const GraspTargetsResponse& response, const MappedObject&
   for (const GraspTarget& target : response.targets) {
     requireGraspOf(asked, base_frame, target);
     if (target.object != first.object)
-      throw BadInput("eye_hand planned the grasps of " + asked.name + " " + std::to_string(asked.number) +
-                     " for more than one pose of it");
+      throw BadInput(fmt::format("eye_hand planned the grasps of {} {} for more than one pose of it",
+                                 asked.name, asked.number));
     grasps.plan.candidates.push_back(fromMessage(target));
   }
 
@@ -129,12 +109,12 @@ GraspTarget toMessage(const PlannedGrasp& planned, const std::string& base_frame
 
 ClearFrameResult toMessage(const TaskResult& result, const std::string& base_frame, double duration) {
   ClearFrameResult message;
-  message.outcome = code(result.outcome);
+  message.outcome = codeOf(result.outcome);
   message.reason = result.reason;
   for (const TaskObject& object : result.objects) {
     ClearedObject cleared;
     cleared.object = toMessage(object.object, ros::Time(object.object.last_stamp), base_frame);
-    cleared.outcome = code(object.outcome);
+    cleared.outcome = codeOf(object.outcome);
     cleared.reason = object.reason;
     cleared.picks = object.picks;
     cleared.near_looks = object.near_looks;

@@ -1,13 +1,13 @@
 #include "nodes/task/world.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <thread>
 #include <utility>
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/geometry/seconds_text.h"
-#include "nodes/common/action_outcome.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/names.h"
 #include "nodes/common/robot_messages.h"
@@ -23,27 +23,16 @@ const char kPick[] = "planner/pick";
 const char kPlace[] = "planner/place";
 const char kMove[] = "planner/move";
 const ros::WallDuration kPoll(0.05), kTick(0.005);
-constexpr std::chrono::milliseconds kSlowTopic(200);     // the objects may come so much later than the answer
-constexpr std::chrono::milliseconds kSlowEyeHand(1000);  // ... and their view after them
-constexpr double kGone = 3.0;          // a recogniser that is not there for so long is told [s]
-constexpr int kRefusedViews = 3;       // in a row: waiting on helps no more
-constexpr double kOneClock = 86400.0;  // stamps of one clock do not lie further apart [s]
-constexpr double kFuture = 1.0;        // nor so far ahead of it [s]
-
-std::string complaintOf(const RecognizeResponse& response) {
-  const bool worked =
-      response.status == RecognizeResponse::FOUND || response.status == RecognizeResponse::NOT_FOUND;
-  return worked ? "" : response.text;
-}
+constexpr int kRefusedViews = 3;  // in a row: waiting on helps no more
+constexpr double kFuture = 1.0;   // stamps of one clock do not lie so far ahead of it [s]
 
 /// Sends a goal and waits for its result. A cancelled task cancels the goal and waits on: the planner stops
 /// the arm and says so.
 template <class Client, class Goal>
 ActionResult execute(Client* client, const char* action, const Goal& goal, const TaskParameters& parameters,
                      const std::function<bool()>& cancelled) {
-  const std::string called(action);
   const auto fault = [&](const std::string& what) {
-    return ActionResult{ActionOutcome::kFault, "the action " + called + " " + what};
+    return ActionResult{ActionOutcome::kFault, fmt::format("the action {} {}", action, what)};
   };
   const Moment begin = Moment::now();
   while (!client->isServerConnected()) {
@@ -68,7 +57,7 @@ ActionResult execute(Client* client, const char* action, const Goal& goal, const
                    ros::names::resolve("planner/recover") + " then puts down what the gripper holds");
     if (sent.since() > parameters.motion_timeout) {
       client->cancelGoal();
-      return fault("took longer than motion_timeout = " + std::to_string(parameters.motion_timeout) + " s");
+      return fault(fmt::format("took longer than motion_timeout = {:g} s", parameters.motion_timeout));
     }
     kPoll.sleep();
   }
@@ -81,8 +70,8 @@ ActionResult execute(Client* client, const char* action, const Goal& goal, const
   // DONE.
   if (outcomeOf(result->outcome) == ActionOutcome::kDone &&
       client->getState() != actionlib::SimpleClientGoalState::SUCCEEDED)
-    return fault("dropped the goal (" + client->getState().toString() + ": " + client->getState().getText() +
-                 "): is there another client, or one with another clock?");
+    return fault(fmt::format("dropped the goal ({}: {}): is there another client, or one with another clock?",
+                             client->getState().toString(), client->getState().getText()));
   return {outcomeOf(result->outcome), result->reason, result->planning_time, result->motion_time};
 }
 
@@ -101,24 +90,9 @@ RosTaskWorld::RosTaskWorld(const ModelBase* models, const TaskParameters& parame
   requireSameArm(description_, arm_);
 
   objects_subscriber_ = node_.subscribe(names::kLocatedObjects, 10, &RosTaskWorld::objectsCallback, this);
-  recognized_subscriber_ =
-      node_.subscribe(names::kRecognizedObjects, 10, &RosTaskWorld::recognizedCallback, this);
-  gripper_subscriber_ = node_.subscribe(names::kGripperState, 10, &RosTaskWorld::gripperCallback, this);
-  joints_subscriber_ = node_.subscribe(names::kJointStates, 10, &RosTaskWorld::jointsCallback, this);
 
-  recognize_ = node_.serviceClient<Recognize>(names::kAskRecognizer);
   grasp_targets_ = node_.serviceClient<GraspTargets>(kGraspTargets);
   forget_ = node_.serviceClient<ForgetObject>(kForget);
-  asker_ = std::thread(&RosTaskWorld::askRecognizer, this);
-}
-
-RosTaskWorld::~RosTaskWorld() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    ending_ = true;
-  }
-  asked_.notify_all();
-  asker_.join();
 }
 
 void RosTaskWorld::restart(const std::string& frame, bool go_on) {
@@ -136,40 +110,18 @@ void RosTaskWorld::objectsCallback(const LocatedObjectArray& message) {
   view_ = message;
   if (withoutSlash(message.header.frame_id) != parameters_.base_frame) {
     view_->objects.clear();
-    view_->refused = "its objects are in the frame '" + message.header.frame_id + "' and must be in '" +
-                     parameters_.base_frame + "' (the parameters base_frame)";
+    view_->refused =
+        fmt::format("its objects are in the frame '{}' and must be in '{}' (the parameters base_frame)",
+                    message.header.frame_id, parameters_.base_frame);
   }
   new_view_.notify_all();
-}
-
-void RosTaskWorld::recognizedCallback(const RecognizedObjectArray& message) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  recognized_ = message.header.stamp;
-  recognized_at_ = Moment::now();
-  asked_.notify_all();
-}
-
-void RosTaskWorld::gripperCallback(const GripperState& message) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  gripper_ = message;
-  gripper_at_ = Moment::now();
-}
-
-void RosTaskWorld::jointsCallback(const sensor_msgs::JointState& message) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const std::optional<ArmState> state = arm_states_.add(fromMessage(message, ros::Time::now()));
-  if (!state) return;  // another device's message, or not yet all of the arm
-  joints_ = state->joints;
-  joints_at_ = Moment::now();
 }
 
 std::optional<JointVector> RosTaskWorld::joints() const {
   const Moment begin = Moment::now();
   do {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      if (joints_ && joints_at_.since() < parameters_.state_max_age) return joints_;
-    }
+    const RobotState robot = robot_.state();
+    if (robot.joints && robot.joint_silence < parameters_.state_max_age) return robot.joints->joints;
     kPoll.sleep();
   } while (!cancelled_() && begin.since() < parameters_.answer_timeout);
   return std::nullopt;
@@ -187,10 +139,10 @@ std::optional<MappedObject> RosTaskWorld::frame() const {
 /// Time went back: what was heard before does not answer what is asked from now on.
 void RosTaskWorld::forgetFuture() {
   const ros::Time now = ros::Time::now();
-  const std::lock_guard<std::mutex> lock(mutex_);
   if (now.isZero()) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (view_ && secondsBetween(now, view_->header.stamp) > kFuture) view_.reset();
-  if (secondsBetween(now, recognized_) > kFuture) recognized_ = ros::Time();
+  recognizer_.forgetAfter(now + ros::Duration(kFuture));
 }
 
 TaskLook RosTaskWorld::look(const TaskView& view) {
@@ -224,9 +176,9 @@ TaskLook RosTaskWorld::look(const TaskView& view) {
   const ros::Time stands = std::max(ros::Time::now(), move_.getResult()->stamp);
   const ros::Time after = stands + ros::Duration(parameters_.settle);
   waitUntil(after);
-  ask(after);
+  recognizer_.ask(after);
   const TaskLook seen = waitForView(after);
-  ask(std::nullopt);
+  recognizer_.ask(std::nullopt);
   return seen;
 }
 
@@ -236,77 +188,12 @@ void RosTaskWorld::waitUntil(const ros::Time& moment) const {
     kTick.sleep();
 }
 
-void RosTaskWorld::ask(const std::optional<ros::Time>& after) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  ask_after_ = after;
-  gone_now_ = false;
-  complaint_.clear();
-  asked_.notify_all();
-}
-
-/// Its service is not there, and for as long nothing came from it.
-bool RosTaskWorld::recognizerGone() const {
-  const bool silent = recognized_at_.never() || recognized_at_.since() >= kGone;
-  return gone_now_ && silent && gone_at_.since() >= kGone;
-}
-
-/// A recogniser that works on request does so now; one that works on every image answers with the next. Asks
-/// again when the answer is of an image that was on its way before, and when eye_hand makes no use of it. A
-/// thread of its own: a recogniser that hangs does not answer for ever.
-void RosTaskWorld::askRecognizer() {
-  std::unique_lock<std::mutex> lock(mutex_);
-  const auto wanted = [this] { return ending_ || ask_after_; };
-  const auto enough = [this] { return ending_ || !ask_after_; };
-
-  while (true) {
-    asked_.wait(lock, wanted);
-    if (ending_) return;
-    const ros::Time after = *ask_after_;
-    lock.unlock();
-    Recognize call;
-    const bool there = recognize_.exists();
-    const bool answered = there && recognize_.call(call);
-    lock.lock();
-
-    if (there)
-      gone_at_ = Moment();
-    else if (gone_at_.never())
-      gone_at_ = Moment::now();
-    gone_now_ = !there && ask_after_;
-    complaint_ = answered ? complaintOf(call.response) : "";
-
-    const auto recognized = [&] { return enough() || recognized_ >= after; };
-    if (!answered)
-      asked_.wait_for(lock, kSlowTopic, enough);
-    else if (asked_.wait_for(lock, kSlowTopic, recognized) && !enough())
-      asked_.wait_for(lock, kSlowEyeHand, enough);
-  }
-}
-
-std::string RosTaskWorld::silence(const ros::Time& after) const {
-  const std::string recognized = recognized_subscriber_.getTopic(), located = objects_subscriber_.getTopic();
-  if (recognizerGone())
-    return "the node recognizer does not run (any more): its service " +
-           node_.resolveName(names::kAskRecognizer) + " is not there";
-
-  std::string who;
-  if (recognized_subscriber_.getNumPublishers() == 0)
-    who = "nobody publishes " + recognized + ": is the node recognizer running?";
-  else if (recognized_.isZero())
-    who = recognized + " is silent: does the camera send images to the recognizer?";
-  else if (recognized_ < after)
-    who = recognized + " last answered for an image of " + secondsText(recognized_.toSec(), 2) +
-          ", the camera stands still since " + secondsText(after.toSec(), 2) + ": " +
-          (secondsBetween(recognized_, after) > kOneClock
-               ? "do the nodes share one clock? use_sim_time must be set before they start"
-               : "does the camera send images to the recognizer?");
-  else if (objects_subscriber_.getNumPublishers() == 0)
-    who = "nobody publishes " + located + ": is the node eye_hand running?";
-  else
-    who = located + " is silent, though the recognizer is not: look at the node eye_hand";
-
-  if (!complaint_.empty()) who += "; the recognizer says: " + complaint_;
-  return "no view within look_timeout = " + std::to_string(parameters_.look_timeout) + " s; " + who;
+EyeChain RosTaskWorld::eyeChain() const {
+  EyeChain chain;
+  recognizer_.describe(&chain);
+  chain.located = objects_subscriber_.getTopic();
+  chain.tells_located = objects_subscriber_.getNumPublishers() > 0;
+  return chain;
 }
 
 TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
@@ -328,8 +215,9 @@ TaskLook RosTaskWorld::waitForView(const ros::Time& after) {
       look.reason = "cancelled";
       return look;
     }
-    if (refusals == kRefusedViews || begin.since() > parameters_.look_timeout || recognizerGone()) {
-      look.reason = refused.empty() ? silence(after) : "eye_hand refuses the views: " + refused;
+    if (refusals == kRefusedViews || begin.since() > parameters_.look_timeout || recognizer_.gone()) {
+      look.reason = refused.empty() ? missingInput(eyeChain(), after.toSec(), parameters_.look_timeout)
+                                    : "eye_hand refuses the views: " + refused;
       return look;
     }
     new_view_.wait_for(lock, std::chrono::milliseconds(50));
@@ -355,8 +243,8 @@ TaskGrasps RosTaskWorld::graspTargets(const MappedObject& object) {
   call.request.name = object.name;
   call.request.instance = object.number;
   if (!waitFor(&grasp_targets_) || !grasp_targets_.call(call))
-    throw BadInput(std::string("the service ") + kGraspTargets +
-                   " does not answer: is the node eye_hand running?");
+    throw BadInput(
+        fmt::format("the service {} does not answer: is the node eye_hand running?", kGraspTargets));
   return fromMessage(call.response, object, parameters_.base_frame);
 }
 
@@ -368,10 +256,10 @@ ActionResult RosTaskWorld::pick(const PlannedGrasp& planned) {
 }
 
 TaskGrip RosTaskWorld::grip() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!gripper_ || gripper_at_.since() > parameters_.state_max_age)
+  const RobotState robot = robot_.state();
+  if (!robot.gripper || robot.gripper_silence > parameters_.state_max_age)
     return {false, false, "gripper/state is silent"};
-  return gripOf(fromMessage(*gripper_, gripper_->header.stamp), parameters_.holding_width);
+  return gripOf(*robot.gripper, parameters_.holding_width);
 }
 
 ActionResult RosTaskWorld::carry(const MappedObject& object, int place) {

@@ -1,8 +1,7 @@
 #include <ros/ros.h>
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
-#include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/model/build_model.h"
+#include "monocular_eye_hand/io/file_path.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/simulation/cell_scene.h"
 #include "nodes/common/run_node.h"
@@ -12,17 +11,11 @@ namespace meh = monocular_eye_hand;
 
 namespace {
 
-/// The meshes of the model base, repaired as the recogniser's are; nothing else of a model is seen or
-/// touched.
+/// The meshes of the model base, as the recogniser has them; nothing else of a model is seen or touched.
 std::vector<meh::NamedMesh> loadMeshes(const std::string& model_base) {
-  std::vector<meh::NamedMesh> meshes;
-  for (meh::ObjectEntry& entry : meh::readObjectEntries(model_base)) {
-    entry.options.find_symmetries = false;
-    const meh::Mesh mesh = meh::loadMesh(entry.mesh, entry.unit);
-    meshes.push_back(
-        {entry.name, std::make_shared<meh::Mesh>(meh::buildModel(entry.name, mesh, entry.options).mesh)});
-  }
-  return meshes;
+  std::vector<meh::ObjectEntry> entries = meh::readObjectEntries(model_base);
+  for (meh::ObjectEntry& entry : entries) entry.options.find_symmetries = false;
+  return meh::namedMeshes(meh::compileModels(entries, meh::ModelDepth::kShape, {}, "none"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "nodes/common/names.h"
@@ -25,6 +26,15 @@ JointCommand fromMessage(const trajectory_msgs::JointTrajectory& message) {
     command.points.push_back(
         {point.time_from_start.toSec(), point.positions, point.velocities, point.accelerations});
   return command;
+}
+
+/// What the cell refuses is logged with the topic that it came by.
+void take(const ros::Subscriber& from, const std::function<void()>& command) {
+  try {
+    command();
+  } catch (const BadInput& e) {
+    ROS_ERROR("%s refused: %s", from.getTopic().c_str(), e.what());
+  }
 }
 
 }  // namespace
@@ -97,32 +107,22 @@ void WorkCellNode::run() {
 }
 
 void WorkCellNode::onTrajectory(const trajectory_msgs::JointTrajectory& message) {
-  try {
+  take(trajectory_subscriber_, [&] {
     const ArmCommand command = armCommand(fromMessage(message), cell_.time());
     waiting_.reset();
     if (command.start > cell_.time())
       waiting_ = command;
     else
       cell_.commandArm(command.path);
-  } catch (const BadInput& e) {
-    ROS_ERROR("%s refused: %s", trajectory_subscriber_.getTopic().c_str(), e.what());
-  }
+  });
 }
 
 void WorkCellNode::onWidth(const std_msgs::Float64& message) {
-  try {
-    cell_.commandGripper(message.data);
-  } catch (const BadInput& e) {
-    ROS_ERROR("%s refused: %s", width_subscriber_.getTopic().c_str(), e.what());
-  }
+  take(width_subscriber_, [&] { cell_.commandGripper(message.data); });
 }
 
 void WorkCellNode::onTakeAway(const std_msgs::String& message) {
-  try {
-    cell_.takeAway(message.data);
-  } catch (const BadInput& e) {
-    ROS_ERROR("%s refused: %s", take_away_subscriber_.getTopic().c_str(), e.what());
-  }
+  take(take_away_subscriber_, [&] { cell_.takeAway(message.data); });
 }
 
 }  // namespace monocular_eye_hand

@@ -6,11 +6,11 @@
 
 #include <optional>
 
+#include "monocular_eye_hand/parameters/work_cell.h"
 #include "monocular_eye_hand/simulation/cell.h"
 #include "monocular_eye_hand/simulation/cell_command.h"
 #include "monocular_eye_hand/simulation/cell_pace.h"
 #include "nodes/work_cell/outputs.h"
-#include "nodes/work_cell/parameters.h"
 
 namespace monocular_eye_hand {
 

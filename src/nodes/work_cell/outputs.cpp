@@ -8,18 +8,13 @@
 #include <sensor_msgs/image_encodings.h>
 
 #include "monocular_eye_hand/arm/arm_state.h"
-#include "monocular_eye_hand/geometry/nanoseconds.h"
 #include "nodes/common/camera_info.h"
 #include "nodes/common/conversion.h"
 #include "nodes/common/names.h"
+#include "nodes/common/stamps.h"
 
 namespace monocular_eye_hand {
 namespace {
-
-ros::Time stamp(double cell_time) {
-  ros::Time time;
-  return time.fromNSec(uint64_t(nanosecondsOf(cell_time)));
-}
 
 void report(const CellEvent& event, const std::string& text) {
   if (event.kind == CellEvent::Kind::kCollision || event.kind == CellEvent::Kind::kLimit)
@@ -45,14 +40,14 @@ WorkCellOutputs::WorkCellOutputs(const WorkCell& cell, int camera_threads)
 
 std_msgs::Header WorkCellOutputs::header(const char* frame) const {
   std_msgs::Header header;
-  header.stamp = stamp(cell_.time());
+  header.stamp = toTime(nanosecondsOf(cell_.time()));
   header.frame_id = frame;
   return header;
 }
 
 void WorkCellOutputs::clock() {
   rosgraph_msgs::Clock message;
-  message.clock = stamp(cell_.time());
+  message.clock = toTime(nanosecondsOf(cell_.time()));
   clock_publisher_.publish(message);
 }
 

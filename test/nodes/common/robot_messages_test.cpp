@@ -53,5 +53,14 @@ TEST(RobotMessages, AGripperState) {
   EXPECT_TRUE(reading.stalled);
 }
 
+TEST(ActionOutcome, ComesBackFromItsCode) {
+  for (const ActionOutcome outcome :
+       {ActionOutcome::kDone, ActionOutcome::kUnreachable, ActionOutcome::kInCollision,
+        ActionOutcome::kGraspLost, ActionOutcome::kCancelled, ActionOutcome::kFault})
+    EXPECT_EQ(outcomeOf(codeOf(outcome)), outcome) << toString(outcome);
+}
+
+TEST(ActionOutcome, OfAnUnknownCodeIsAFault) { EXPECT_EQ(outcomeOf(77), ActionOutcome::kFault); }
+
 }  // namespace
 }  // namespace monocular_eye_hand

@@ -6,7 +6,7 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "node_messages.h"
 #include "nodes/common/conversion.h"
-#include "nodes/eye_hand/conversion.h"
+#include "nodes/eye_hand/messages.h"
 
 namespace monocular_eye_hand {
 namespace {
