@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/execution/robot.h"
-#include "monocular_eye_hand/simulation/cell.h"
+#include "monocular_eye_hand/simulation/cell/work_cell.h"
 
 namespace monocular_eye_hand {
 

@@ -5,7 +5,7 @@
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/build_model.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 #include "recognition/hypotheses.h"
 #include "recognition/judging.h"
 #include "recognition/nearby_poses.h"

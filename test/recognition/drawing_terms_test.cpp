@@ -1,7 +1,7 @@
 // The terms that compare a drawing with the image, each where it should and where it should not show.
 #include "recognition/drawing_terms.h"
 
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 #include "verified.h"
 
 namespace monocular_eye_hand {

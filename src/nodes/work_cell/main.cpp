@@ -4,7 +4,7 @@
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/build_model.h"
 #include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/simulation/cell_scene.h"
+#include "monocular_eye_hand/simulation/cell/scene.h"
 #include "nodes/common/run_node.h"
 #include "nodes/work_cell/node.h"
 

@@ -6,7 +6,7 @@
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/options/options.h"
-#include "monocular_eye_hand/simulation/cell_scene.h"
+#include "monocular_eye_hand/simulation/cell/scene.h"
 #include "nodes/work_cell/parameters.h"
 
 namespace monocular_eye_hand {
