@@ -342,7 +342,7 @@ bool ObjectMap::expected(const Track& track, const ObjectView& view) const {
 bool ObjectMap::oneOf(const std::vector<Rigid3>& base_from_cameras, const Rigid3& base_from_camera) const {
   return std::any_of(base_from_cameras.begin(), base_from_cameras.end(), [&](const Rigid3& other) {
     return (other.translation - base_from_camera.translation).norm() <= options_.min_motion &&
-           angleBetween(other.rotation, base_from_camera.rotation) <= options_.min_turn;
+           angleBetween(other.rotation, base_from_camera.rotation) <= options_.min_rotation;
   });
 }
 

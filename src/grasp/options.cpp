@@ -58,7 +58,7 @@ void GraspPlanOptions::check() const {
   requireNotNegative("obstacle_clearance", obstacle_clearance);
   require(min_wrist >= 0 && min_wrist < 1, "min_wrist", min_wrist, "0 or more and below 1");
   requirePositive("max_joint_step", max_joint_step);
-  require(turns >= 1 && turns <= 360, "turns", turns, "1 to 360");
+  require(rotation_steps >= 1 && rotation_steps <= 360, "rotation_steps", rotation_steps, "1 to 360");
   require(branches >= 1 && branches <= 8, "branches", branches, "1 to 8");
   require(most >= 1, "most", most, "1 or more");
 }

@@ -22,16 +22,16 @@ constexpr int kRules = int(GraspRefusal::kSingular) + 1;
 
 std::string rounded(double value) { return fmt::format("{:g}", std::round(10 * value) / 10); }
 
-/// The motions that leave the object as it is: discrete ones, times turns about a free axis.
-std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int turns) {
+/// The motions that leave the object as it is: discrete ones, times `steps` rotations about a free axis.
+std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int steps) {
   std::vector<Rigid3> copies;
   for (const Rigid3& s : model.symmetries.discrete) {
     if (!model.symmetries.axis) {
       copies.push_back(s);
       continue;
     }
-    for (int k = 0; k < turns; ++k)
-      copies.push_back(rotationAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
+    for (int k = 0; k < steps; ++k)
+      copies.push_back(rotationAbout(*model.symmetries.axis, 2 * M_PI * k / steps) * s);
   }
   return copies;
 }
@@ -56,7 +56,7 @@ class Planner {
   void tryAll(const ModelGrasps& grasps) {
     Rigid3 half_turn;  // the gripper is the same turned by half about z
     half_turn.rotation.diagonal() << -1, -1, 1;
-    const std::vector<Rigid3> copies = symmetricCopies(*object_.model, options_.turns);
+    const std::vector<Rigid3> copies = symmetricCopies(*object_.model, options_.rotation_steps);
     for (size_t k = 0; k < grasps.grasps.size(); ++k) {
       for (const Rigid3& copy : copies) {
         const Rigid3 object_from_tcp = copy * grasps.grasps[k].object_from_tcp;

@@ -300,10 +300,10 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
       continue;
     }
 
-    for (int turn = 0; turn < given.turns; ++turn) {
+    for (int step = 0; step < given.rotation_steps; ++step) {
       ModelGrasp grasp;
       grasp.object_from_tcp =
-          rotationAbout(given.axis, 2 * M_PI * turn / given.turns) * given.object_from_tcp;
+          rotationAbout(given.axis, 2 * M_PI * step / given.rotation_steps) * given.object_from_tcp;
       grasp.width = given.width;
       grasp.source = source;
       std::string fault;

@@ -45,7 +45,7 @@ class Line {
     if (!clearOfSingularities(path_.points[0], 0)) return path_;
     const double turn = angleBetween(from_.rotation, to_.rotation);
     const double longest =
-        1 / std::max(1.0, std::ceil(std::max(length_ / options_.max_step, turn / options_.max_turn)));
+        1 / std::max(1.0, std::ceil(std::max(length_ / options_.max_step, turn / options_.max_rotation)));
     if (length_ < 1e-12 && turn < 1e-12) {
       path_.outcome = CartesianOutcome::kFound;
       return path_;
@@ -107,7 +107,7 @@ class Line {
       // Along the line it may be early or late.
       const Eigen::Vector3d line = (to_.translation - from_.translation).stableNormalized();
       if ((off - line * line.dot(off)).norm() > options_.deviation) return false;
-      if (angleBetween(meant.rotation, is.rotation) > options_.turn_deviation) return false;
+      if (angleBetween(meant.rotation, is.rotation) > options_.rotation_deviation) return false;
     }
     return true;
   }

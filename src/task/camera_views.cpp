@@ -25,12 +25,12 @@ int alternating(int i) { return i % 2 ? (i + 1) / 2 : -i / 2; }
 Wish wishOf(const TaskView& view, const Eigen::Vector3d& target, const CameraViewOptions& o) {
   const double towards_robot = std::atan2(-target.y(), -target.x());
   if (view.search)
-    return {towards_robot + alternating(view.direction % kDirections) * o.overview_turn, o.search_elevation,
-            o.search_distance};
+    return {towards_robot + alternating(view.direction % kDirections) * o.overview_azimuth_step,
+            o.search_elevation, o.search_distance};
   if (!view.near)
-    return {towards_robot + alternating(view.direction % kDirections) * o.overview_turn, o.overview_elevation,
-            o.overview_distance};
-  return {towards_robot + alternating(view.direction % kDirections) * o.near_turn, o.near_elevation,
+    return {towards_robot + alternating(view.direction % kDirections) * o.overview_azimuth_step,
+            o.overview_elevation, o.overview_distance};
+  return {towards_robot + alternating(view.direction % kDirections) * o.near_azimuth_step, o.near_elevation,
           std::max(o.nearest, o.near_distance - view.approach * o.near_step)};
 }
 
@@ -61,8 +61,8 @@ void CameraViewOptions::check() const {
           "above 0 and at most pi / 2");
   require(near_elevation > 0 && near_elevation <= M_PI / 2, "near_elevation", near_elevation,
           "above 0 and at most pi / 2");
-  requireFinite("overview_turn", overview_turn);
-  requireFinite("near_turn", near_turn);
+  requireFinite("overview_azimuth_step", overview_azimuth_step);
+  requireFinite("near_azimuth_step", near_azimuth_step);
   require(most >= 1, "most", most, "at least 1");
 }
 

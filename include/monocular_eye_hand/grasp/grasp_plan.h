@@ -19,7 +19,7 @@ struct GraspPlanOptions {
   double obstacle_clearance = 0.003;  ///< of everything from the obstacles [m]
   double min_wrist = 0.05;            ///< least |sin q5| at the three poses
   double max_joint_step = 1.2;        ///< no joint turns farther than this from pose to pose [rad]
-  int turns = 16;                     ///< about a free axis of the object
+  int rotation_steps = 16;            ///< about a free axis of the object
   int branches = 2;                   ///< arm postures kept per grasp
   int most = 40;                      ///< candidates kept
 
@@ -36,7 +36,7 @@ struct GraspPlanOptions {
     v("obstacle_clearance", obstacle_clearance);
     v("min_wrist", min_wrist);
     v("max_joint_step", max_joint_step);
-    v("turns", turns);
+    v("rotation_steps", rotation_steps);
     v("branches", branches);
     v("most", most);
   }

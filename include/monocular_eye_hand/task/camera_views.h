@@ -11,31 +11,31 @@ namespace monocular_eye_hand {
 
 /// From where the task looks. Defaults stand here and nowhere else.
 struct CameraViewOptions {
-  double overview_distance = 0.55;   ///< camera to the middle of the frame until it is found [m]
-  double overview_elevation = 1.15;  ///< above the horizon [rad]
-  double overview_turn = 0.9;        ///< azimuth from one overview to the next [rad]
-  double search_distance = 0.42;     ///< the same once it is known, and in a search [m]
-  double search_elevation = 0.9;     ///< above the horizon [rad]
-  double near_distance = 0.36;       ///< camera to the object at the first near look [m]
-  double near_step = 0.05;           ///< so much nearer with every further one [m]
-  double nearest = 0.28;             ///< but never nearer than this [m]
-  double near_elevation = 1.0;       ///< above the horizon [rad]
-  double near_turn = 1.3;            ///< azimuth from one near look to the next [rad]
-  int most = 24;                     ///< poses handed to the planner
+  double overview_distance = 0.55;     ///< camera to the middle of the frame until it is found [m]
+  double overview_elevation = 1.15;    ///< above the horizon [rad]
+  double overview_azimuth_step = 0.9;  ///< azimuth from one overview to the next [rad]
+  double search_distance = 0.42;       ///< the same once it is known, and in a search [m]
+  double search_elevation = 0.9;       ///< above the horizon [rad]
+  double near_distance = 0.36;         ///< camera to the object at the first near look [m]
+  double near_step = 0.05;             ///< so much nearer with every further one [m]
+  double nearest = 0.28;               ///< but never nearer than this [m]
+  double near_elevation = 1.0;         ///< above the horizon [rad]
+  double near_azimuth_step = 1.3;      ///< azimuth from one near look to the next [rad]
+  int most = 24;                       ///< poses handed to the planner
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
     v("overview_distance", overview_distance);
     v("overview_elevation", overview_elevation);
-    v("overview_turn", overview_turn);
+    v("overview_azimuth_step", overview_azimuth_step);
     v("search_distance", search_distance);
     v("search_elevation", search_elevation);
     v("near_distance", near_distance);
     v("near_step", near_step);
     v("nearest", nearest);
     v("near_elevation", near_elevation);
-    v("near_turn", near_turn);
+    v("near_azimuth_step", near_azimuth_step);
     v("most", most);
   }
 };

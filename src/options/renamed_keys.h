@@ -1,0 +1,23 @@
+#pragma once
+#include <array>
+
+namespace monocular_eye_hand {
+
+/// A key of an earlier version and what it is called now. It is refused with its new name wherever that is
+/// known.
+struct RenamedKey {
+  const char* before;
+  const char* now;
+};
+
+inline constexpr std::array<RenamedKey, 7> kRenamedKeys{{
+    {"max_tf_turn", "max_tf_rotation"},          // eye_hand
+    {"max_turn", "max_rotation"},                // planner: cartesian
+    {"min_turn", "min_rotation"},                // eye_hand: map
+    {"near_turn", "near_azimuth_step"},          // task: views
+    {"overview_turn", "overview_azimuth_step"},  // task: views
+    {"turn_deviation", "rotation_deviation"},    // planner: cartesian
+    {"turns", "rotation_steps"},                 // eye_hand: grasp; given grasps of a model base
+}};
+
+}  // namespace monocular_eye_hand
