@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 // Closed-form inverse after Paul & Zhang, "Computationally efficient kinematics for manipulators with
 // spherical wrists based on the homogeneous transformation representation", Int. J. Robotics Research 5(2),
 // 1986. Sines and cosines are carried along instead of being taken of the angles found, and each angle is
@@ -56,8 +58,10 @@ void requireUsable(const Rigid3& pose, const JointVector& current) {
   const Matrix3d& r = pose.rotation;
   const double off = (r.transpose() * r - Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (off > kRotationTolerance || r.col(0).cross(r.col(1)).dot(r.col(2)) < 0)
-    throw BadInput("inverse kinematics: the pose's rotation matrix is no rotation (R'R differs from I by " +
-                   std::to_string(off) + "); normalise its quaternion first");
+    throw BadInput(
+        fmt::format("inverse kinematics: the pose's rotation matrix is no rotation (R'R differs from I by "
+                    "{:g}); normalise its quaternion first",
+                    off));
 }
 
 class Solver {

@@ -1,5 +1,7 @@
 #include "model/cache.h"
 
+#include <fmt/format.h>
+
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -238,7 +240,7 @@ bool writeCache(const std::string& folder, const std::string& name, const Compil
   const std::string payload = pack(parts), path = folder + "/" + name;
   const uint32_t format = kFormat;
   const uint64_t checksum = hash(payload);
-  const std::string temporary = path + "." + std::to_string(getpid()) + ".part";
+  const std::string temporary = fmt::format("{}.{}.part", path, getpid());
 
   {
     std::ofstream out(temporary, std::ios::binary);

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/model/model_base.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -85,7 +87,7 @@ KnownObject compile(const ObjectEntry& entry, ModelDepth depth, const ViewOption
 
   const size_t triangles = loaded.mesh.triangles.size();
   const auto tell = [&](const std::string& step) {
-    if (progress) progress(entry.name + " (" + std::to_string(triangles) + " triangles): " + step);
+    if (progress) progress(fmt::format("{} ({} triangles): {}", entry.name, triangles, step));
   };
   if (triangles > kSlowTriangles) tell("looking for edges");
   object.model = buildShape(entry.name, loaded.mesh, entry.options);

@@ -128,7 +128,7 @@ ObjectEntry readEntry(const OptionTree& tree, const std::string& folder) {
 std::string placeOf(size_t index, const OptionTree& tree) {
   const OptionTree* name = tree.find("name");
   const bool named = name && name->kind == OptionTree::Kind::kScalar && !name->scalar.empty();
-  return "object " + std::to_string(index + 1) + (named ? " (" + name->scalar + ")" : "");
+  return fmt::format("object {}{}", index + 1, (named ? " (" + name->scalar + ")" : ""));
 }
 
 /// The list of objects that the file holds.
@@ -154,8 +154,7 @@ std::vector<ObjectEntry> readList(const std::vector<OptionTree>& list, const std
     const bool twice = std::any_of(entries.begin(), entries.end() - 1,
                                    [&](const ObjectEntry& e) { return e.name == entries.back().name; });
     if (twice)
-      throw BadInput("object " + std::to_string(k + 1) + ": the name \"" + entries.back().name +
-                     "\" is used twice");
+      throw BadInput(fmt::format("object {}: the name \"{}\" is used twice", k + 1, entries.back().name));
   }
   return entries;
 }

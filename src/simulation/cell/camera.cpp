@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/simulation/cell/camera.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,8 +19,7 @@ namespace {
 constexpr double kMean = 0.42;  // of the linear image when the exposure is chosen
 
 int threadCount(int wanted) {
-  if (wanted < 0)
-    throw BadInput("camera threads = " + std::to_string(wanted) + " must be >= 0 (0: all cores)");
+  if (wanted < 0) throw BadInput(fmt::format("camera threads = {} must be >= 0 (0: all cores)", wanted));
   return wanted > 0 ? wanted : std::max(1, int(std::thread::hardware_concurrency()));
 }
 

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/simulation/cell/command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,17 +28,17 @@ Order orderOf(const std::vector<std::string>& joints) {
     order[j] = size_t(place - joints.begin());
   }
   if (joints.size() != 6)
-    throw BadInput("joint_names holds " + std::to_string(joints.size()) + " names (" + given +
-                   "): name joint1 to joint6, each once");
+    throw BadInput(fmt::format("joint_names holds {} names ({}): name joint1 to joint6, each once",
+                               joints.size(), given));
   return order;
 }
 
 std::vector<double> ordered(const std::vector<double>& values, const Order& order, size_t point,
                             const char* field, bool required) {
   if (values.empty() && !required) return {};
-  const std::string where = "points[" + std::to_string(point) + "]." + field;
+  const std::string where = fmt::format("points[{}].{}", point, field);
   if (values.size() != 6)
-    throw BadInput(where + " holds " + std::to_string(values.size()) + " numbers: give one per joint");
+    throw BadInput(fmt::format("{} holds {} numbers: give one per joint", where, values.size()));
   std::vector<double> out;
   for (size_t place : order) {
     if (!std::isfinite(values[place])) throw BadInput(where + " is not finite");
@@ -53,8 +55,9 @@ std::vector<CellPathPoint> pathOf(const JointCommand& trajectory) {
     CellPathPoint out;
     out.time = point.time;
     if (out.time < 0 || (k > 0 && out.time <= path.back().time))
-      throw BadInput("points[" + std::to_string(k) + "].time_from_start = " + std::to_string(out.time) +
-                     " s must not be negative and must grow from point to point");
+      throw BadInput(fmt::format(
+          "points[{}].time_from_start = {:.3f} s must not be negative and must grow from point to point", k,
+          out.time));
     const std::vector<double> positions = ordered(point.positions, order, k, "positions", true);
     out.positions = Eigen::Map<const JointVector>(positions.data());
     out.velocities = ordered(point.velocities, order, k, "velocities", false);
@@ -75,8 +78,9 @@ ArmCommand armCommand(const JointCommand& trajectory, double now) {
 
   const double ahead = trajectory.stamp - now;
   if (ahead > kLongestWait)
-    throw BadInput("header.stamp lies " + std::to_string(ahead) +
-                   " s ahead: stamp it with cell time (use_sim_time), or with 0 for at once");
+    throw BadInput(fmt::format(
+        "header.stamp lies {:.3f} s ahead: stamp it with cell time (use_sim_time), or with 0 for at once",
+        ahead));
   if (ahead >= 0) {
     command.start = trajectory.stamp;
     return command;
@@ -85,8 +89,9 @@ ArmCommand armCommand(const JointCommand& trajectory, double now) {
   const auto first = std::find_if(command.path.begin(), command.path.end(),
                                   [&](const CellPathPoint& point) { return point.time + ahead > 0; });
   if (first == command.path.end())
-    throw BadInput("the trajectory ended " + std::to_string(-ahead - command.path.back().time) +
-                   " s ago: stamp it with the present cell time, or with 0 for at once");
+    throw BadInput(fmt::format(
+        "the trajectory ended {:.3f} s ago: stamp it with the present cell time, or with 0 for at once",
+        -ahead - command.path.back().time));
   command.path.erase(command.path.begin(), first);
   for (CellPathPoint& point : command.path) point.time += ahead;
   return command;

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/simulation/cell/motion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,9 +33,9 @@ Place quintic(double p0, double v0, double a0, double p1, double v1, double a1, 
 }
 
 void checkNumbers(const std::vector<double>& values, size_t point, const char* field) {
-  const std::string where = "joint path: point " + std::to_string(point) + ": ";
+  const std::string where = fmt::format("joint path: point {}: ", point);
   if (!values.empty() && values.size() != 6)
-    throw BadInput(where + std::to_string(values.size()) + " " + field + "; give 6 or none");
+    throw BadInput(fmt::format("{}{} {}; give 6 or none", where, values.size(), field));
   for (double v : values)
     if (!std::isfinite(v)) throw BadInput(where + field + " must be finite");
 }
@@ -41,10 +43,9 @@ void checkNumbers(const std::vector<double>& values, size_t point, const char* f
 void checkPath(const std::vector<CellPathPoint>& path) {
   double before = -1;
   for (size_t k = 0; k < path.size(); ++k) {
-    const std::string where = "joint path: point " + std::to_string(k) + ": ";
+    const std::string where = fmt::format("joint path: point {}: ", k);
     if (!std::isfinite(path[k].time) || path[k].time < 0 || path[k].time <= before)
-      throw BadInput(where + "time = " + std::to_string(path[k].time) +
-                     " s must not be negative and must grow");
+      throw BadInput(fmt::format("{}time = {:g} s must not be negative and must grow", where, path[k].time));
     if (!path[k].positions.allFinite()) throw BadInput(where + "positions must be finite");
     checkNumbers(path[k].velocities, k, "velocities");
     checkNumbers(path[k].accelerations, k, "accelerations");
@@ -89,9 +90,8 @@ JointMotion::JointMotion(const Puma560Options& arm, const JointVector& start)
   arm.check();
   for (int j = 0; j < 6; ++j)
     if (!(start[j] >= limits_[j].lower - 1e-9 && start[j] <= limits_[j].upper + 1e-9))
-      throw BadInput("start_joints: joint " + std::to_string(j + 1) + " = " + std::to_string(start[j]) +
-                     " rad must be within " + std::to_string(limits_[j].lower) + ".." +
-                     std::to_string(limits_[j].upper));
+      throw BadInput(fmt::format("start_joints: joint {} = {:.3f} rad must be within {:.3f}..{:.3f}", j + 1,
+                                 start[j], limits_[j].lower, limits_[j].upper));
 }
 
 void JointMotion::command(const std::vector<CellPathPoint>& path) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,9 +69,10 @@ GripperPads gripperPads(const ArmDescription& arm) {
     if (arm.links[k].finger == 0 || arm.links[k].collision.empty()) continue;
     const FingerFace face = fingerFace(arm.links[k], tcp_from_base * base_from_link[k], width / 2);
     if (!(face.pad.area() > 0) || std::abs(face.inner - width / 2) > 1e-3)
-      throw BadInput("arm description: " + arm.links[k].name + " is " + std::to_string(face.inner) +
-                     " m from gripper_tcp at an opening of " + std::to_string(width) +
-                     " m; it must have a flat pad at half the opening");
+      throw BadInput(
+          fmt::format("arm description: {} is {:.4f} m from gripper_tcp at an opening of {:.4f} m; it must "
+                      "have a flat pad at half the opening",
+                      arm.links[k].name, face.inner, width));
     pads = {std::min(pads.half_width, face.pad.half_width), std::max(pads.z_low, face.pad.z_low),
             std::min(pads.z_high, face.pad.z_high)};
     found[face.side > 0] = true;

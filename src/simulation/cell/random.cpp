@@ -1,5 +1,7 @@
 #include "simulation/cell/random.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -148,8 +150,9 @@ void Arranger::collectChoices() {
 
   drawn_.erase(std::remove_if(drawn_.begin(), drawn_.end(), cannotBeHeld), drawn_.end());
   if (drawn_.empty() && rules_.objects > 0)
-    throw BadInput("random.gripper_width = " + std::to_string(rules_.gripper_width) +
-                   " m: no part of the model base can be held from above");
+    throw BadInput(
+        fmt::format("random.gripper_width = {:g} m: no part of the model base can be held from above",
+                    rules_.gripper_width));
 }
 
 SceneObject Arranger::drawFrame() {
@@ -249,8 +252,10 @@ void arrangeAtRandom(const std::vector<NamedMesh>& models, CellScene* cell) {
   int attempt = 0;
   while (attempt < kAttempts && !arranger.tryOnce(&objects)) ++attempt;
   if (attempt == kAttempts)
-    throw BadInput("random.objects = " + std::to_string(rules.objects) +
-                   ": no room for so many in the frame, with random.gap and random.finger_room between them");
+    throw BadInput(
+        fmt::format("random.objects = {}: no room for so many in the frame, with random.gap and "
+                    "random.finger_room between them",
+                    rules.objects));
 
   Scene& scene = cell->scene;
   Generator& random = arranger.random();

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/simulation/cell/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +38,8 @@ SceneObject placed(const CellObject& wanted, const std::vector<NamedMesh>& model
                      wanted.material.material()};
   const double z = lowestVertex(object);
   if (z < -kResting)
-    throw BadInput(where + ".pose: '" + wanted.name + "' sinks " + std::to_string(-z * 1000) +
-                   " mm into the table; raise pose.z");
+    throw BadInput(fmt::format("{}.pose: '{}' sinks {:.1f} mm into the table; raise pose.z", where,
+                               wanted.name, -z * 1000));
   return object;
 }
 
@@ -67,7 +69,7 @@ CellScene makeCellScene(const CellOptions& options, const std::vector<NamedMesh>
   }
 
   for (size_t k = 0; k < options.objects.size(); ++k) {
-    SceneObject object = placed(options.objects[k], models, "objects[" + std::to_string(k) + "]");
+    SceneObject object = placed(options.objects[k], models, fmt::format("objects[{}]", k));
     if (const double z = lowestVertex(object); z < kResting) {
       object.world_from_object.translation.z() -= z;
     } else {

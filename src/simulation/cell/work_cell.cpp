@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -19,7 +21,7 @@ std::vector<std::string> labelsOf(const std::vector<SceneObject>& objects) {
   std::map<std::string, int> count;
   std::vector<std::string> labels;
   for (const SceneObject& object : objects)
-    labels.push_back(object.name + "_" + std::to_string(count[object.name]++));
+    labels.push_back(fmt::format("{}_{}", object.name, count[object.name]++));
   return labels;
 }
 
@@ -83,8 +85,7 @@ struct WorkCell::Impl {
 
   double checkedWidth(double width) const {
     if (!(width >= 0 && width <= arm.gripper_width_max + 1e-9))
-      throw BadInput("gripper width = " + std::to_string(width) + " m must be 0.." +
-                     std::to_string(arm.gripper_width_max));
+      throw BadInput(fmt::format("gripper width = {:.4f} m must be 0..{:.4f}", width, arm.gripper_width_max));
     return std::min(width, arm.gripper_width_max);
   }
   double time() const { return double(now) * 1e-9; }
@@ -164,9 +165,9 @@ bool WorkCell::Impl::moveArm(double dt) {
     now_at_limit.insert(key);
     if (at_limit.count(key)) continue;
     const bool position = v.kind == LimitViolation::Kind::kPosition;
-    record(CellEvent::Kind::kLimit, "joint" + std::to_string(v.joint + 1), "",
-           std::string(position ? "position " : "velocity ") + std::to_string(v.wanted) +
-               (position ? " rad" : " rad/s") + ", limit " + std::to_string(v.limit));
+    record(CellEvent::Kind::kLimit, fmt::format("joint{}", v.joint + 1), "",
+           position ? fmt::format("position {:.3f} rad, limit {:.3f}", v.wanted, v.limit)
+                    : fmt::format("velocity {:.3f} rad/s, limit {:.3f}", v.wanted, v.limit));
   }
   at_limit.swap(now_at_limit);
   return true;
@@ -306,7 +307,7 @@ WorkCell::WorkCell(WorkCell&&) noexcept = default;
 
 void WorkCell::advance(double dt) {
   if (!(dt >= 0) || !std::isfinite(dt))
-    throw BadInput("work cell: dt = " + std::to_string(dt) + " s must be finite and not negative");
+    throw BadInput(fmt::format("work cell: dt = {:g} s must be finite and not negative", dt));
   const int64_t end = impl_->now + nanoseconds(dt), step = nanoseconds(impl_->cell.options.step);
   while (impl_->now < end) {
     const int64_t next = std::min(end, (impl_->now / step + 1) * step);

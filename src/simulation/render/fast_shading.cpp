@@ -1,5 +1,7 @@
 #include "simulation/render/fast_shading.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -23,8 +25,7 @@ FastShading::FastShading(const Scene& scene, std::vector<Material> materials, in
       lights_(discLights(scene)),
       table_(table) {
   if (scene.lights.size() > size_t(kMostLights))
-    throw BadInput("lights: " + std::to_string(scene.lights.size()) + " given, at most " +
-                   std::to_string(kMostLights) + " possible");
+    throw BadInput(fmt::format("lights: {} given, at most {} possible", scene.lights.size(), kMostLights));
   if (table_ >= 0 && scene.table.material.texture.kind != Texture::Kind::kPlain)
     drawTable(scene.table, threads);
 }

@@ -1,5 +1,7 @@
 #include "simulation/render/ray_world.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <limits>
 
@@ -16,8 +18,8 @@ void checkMesh(const std::string& name, const Mesh* mesh) {
   for (const auto& triangle : mesh->triangles)
     for (int v : triangle)
       if (v < 0 || v >= int(mesh->vertices.size()))
-        throw BadInput("scene: object '" + name + "' has a triangle with vertex " + std::to_string(v) +
-                       " of " + std::to_string(mesh->vertices.size()));
+        throw BadInput(fmt::format("scene: object '{}' has a triangle with vertex {} of {}", name, v,
+                                   mesh->vertices.size()));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/simulation/scenes/random_scene.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -195,7 +197,7 @@ SceneObject drawPart(Generator* random, const std::vector<NamedMesh>& models,
 
 void RandomSceneOptions::check() const {
   const auto refuse = [](const std::string& field, double value, const std::string& rule) {
-    throw BadInput("random scene options: " + field + " = " + std::to_string(value) + " " + rule);
+    throw BadInput(fmt::format("random scene options: {} = {:g} {}", field, value, rule));
   };
   if (parts < -1 || parts > 1000) refuse("parts", parts, "must be -1..1000");
   if (clutter < -1 || clutter > 1000) refuse("clutter", clutter, "must be -1..1000");
