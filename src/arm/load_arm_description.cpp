@@ -192,7 +192,7 @@ void requireSameArm(const ArmDescription& description, const Puma560& arm) {
   const int tool0 = description.link("tool0");
   for (int k = 0; k < 8; ++k) {
     JointVector q;
-    for (int i = 0; i < 6; ++i) q[i] = 0.37 * (k * (i + 1) % 7);  // away from symmetric postures
+    for (int i = 0; i < 6; ++i) q[i] = 0.37 * (k * (i + 1) % 7);  // away from symmetric configurations
     const Vector6d d = difference(arm.baseFromTool0(q), description.baseFromLinks(q, 0)[size_t(tool0)]);
     if (!(d.cwiseAbs().maxCoeff() < 1e-6))
       throw BadInput(

@@ -225,7 +225,7 @@ ViewDecision ObjectMap::update(Track* track, const Observation& seen, double chi
   track->merged.probability = std::max(track->merged.probability, seen.probability);
 
   // So many places say all that views can say: what is left is common to them.
-  const bool same_camera = int(track->base_from_cameras.size()) >= options_.most_views ||
+  const bool same_camera = int(track->base_from_cameras.size()) >= options_.max_views ||
                            oneOf(track->base_from_cameras, seen.base_from_camera);
 
   if (same_camera) {

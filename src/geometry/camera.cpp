@@ -237,8 +237,8 @@ Eigen::Matrix3d Camera::intrinsics() const {
 }
 
 Camera Camera::resized(double factor) const {
-  const double least = 0.5 / std::min(width, height), most = 1e5 / std::max(width, height);
-  if (!(factor >= least && factor <= most))
+  const double min_factor = 0.5 / std::min(width, height), max_factor = 1e5 / std::max(width, height);
+  if (!(factor >= min_factor && factor <= max_factor))
     refuse("resize factor", factor, "leaves no image, or one too large");
   Camera c = *this;
   c.width = int(std::lround(width * factor));

@@ -9,11 +9,11 @@
 
 #include "boxes.h"
 #include "clearance.h"
+#include "configurations.h"
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/model/free_turns.h"
-#include "postures.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -92,18 +92,19 @@ class Planner {
     c.base_from_pregrasp = c.base_from_lift = c.base_from_grasp;
     c.base_from_pregrasp.translation -= options_.approach_distance * c.approach;
     c.base_from_lift.translation.z() += options_.lift_distance;
-    const Postures postures =
-        findPostures(arm_, c.base_from_pregrasp * tcp_from_tool0_, c.base_from_grasp * tcp_from_tool0_,
-                     c.base_from_lift * tcp_from_tool0_, current_, options_);
-    if (postures.postures.empty()) return refuse(postures.refusal, 0, postures.reason);
+    const GraspConfigurations configurations =
+        findConfigurations(arm_, c.base_from_pregrasp * tcp_from_tool0_, c.base_from_grasp * tcp_from_tool0_,
+                           c.base_from_lift * tcp_from_tool0_, current_, options_);
+    if (configurations.configurations.empty())
+      return refuse(configurations.refusal, 0, configurations.reason);
 
     // Room counts until there is as much again as is needed.
     const double room = std::min(1.0, c.free / std::max(1e-9, 2 * c.needed));
     // Closing along the table the pads slide the part to their middle; across it the table holds it off.
     const double centring = 1 - std::abs(c.base_from_grasp.rotation.col(1).z());
-    for (size_t k = 0; k < postures.postures.size() && int(k) < options_.branches; ++k) {
-      const Posture& p = postures.postures[k];
-      c.branch = p.branch;
+    for (size_t k = 0; k < configurations.configurations.size() && int(k) < options_.configurations; ++k) {
+      const GraspConfiguration& p = configurations.configurations[k];
+      c.branch = p.configuration;
       c.pregrasp_joints = p.pregrasp;
       c.grasp_joints = p.grasp;
       c.lift_joints = p.lift;
@@ -118,7 +119,7 @@ class Planner {
       return a.quality > b.quality;
     };
     std::stable_sort(candidates_.begin(), candidates_.end(), better);
-    plan.candidates = variedFirst(candidates_, options_.most);
+    plan.candidates = variedFirst(candidates_, options_.max_candidates);
     std::stable_sort(plan.candidates.begin(), plan.candidates.end(), better);
 
     int all = 0;

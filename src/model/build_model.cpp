@@ -18,7 +18,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kMostSharpEdges = 20000;    // of a mesh; CAD parts of 100 000 triangles have half of it
+constexpr int kMaxSharpEdges = 20000;     // of a mesh; CAD parts of 100 000 triangles have half of it
 constexpr size_t kManyModelEdges = 5000;  // straight edges of a model
 constexpr size_t kManyTriangles = 200000;
 
@@ -27,7 +27,7 @@ constexpr size_t kManyTriangles = 200000;
 void refuseScan(const std::string& name, const Topology& topology, double sharp_angle) {
   const auto sharp = std::count_if(topology.edges.begin(), topology.edges.end(),
                                    [&](const MeshEdge& e) { return e.angle > sharp_angle; });
-  if (sharp <= kMostSharpEdges) return;
+  if (sharp <= kMaxSharpEdges) return;
   throw BadInput(
       fmt::format("{}: this looks like a scan or a noisy mesh: {} of its {} edges are sharp, and an image "
                   "shows none of them. Use the part's CAD model, or smooth the scan and reduce it to some "

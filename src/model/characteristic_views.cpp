@@ -13,8 +13,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kNeighbour = 1.6;    // directions nearer than this many spacings are neighbours
-constexpr double kLeastShare = 0.05;  // a feature is in a view when this share of it is visible
+constexpr double kNeighbour = 1.6;  // directions nearer than this many spacings are neighbours
+constexpr double kMinShare = 0.05;  // a feature is in a view when this share of it is visible
 
 double stepFor(const ObjectModel& model, const std::vector<Eigen::Vector3d>& directions,
                const ViewOptions& options) {
@@ -163,7 +163,7 @@ ViewSphere sampleViews(const ObjectModel& model, const ViewOptions& options) {
   std::vector<int> views_with_feature(model.featureCount(), 0);
   for (size_t v = 0; v < sphere.views.size(); ++v) {
     for (int g = 0; g < model.featureCount(); ++g) {
-      if (lengths[v][g] < kLeastShare * full[g] || lengths[v][g] <= 0) continue;
+      if (lengths[v][g] < kMinShare * full[g] || lengths[v][g] <= 0) continue;
       features[v].push_back(g);
       ++views_with_feature[g];
     }

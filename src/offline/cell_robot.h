@@ -36,7 +36,7 @@ class CellRobot : public Robot {
   void rest(double seconds);
 
  private:
-  void tell();
+  void recordState();
 
   WorkCell& cell_;
   const double period_;

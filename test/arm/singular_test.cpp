@@ -99,7 +99,7 @@ TEST(Puma560Inverse, StraightWristKeepsJoint4) {
     for (const ArmSolution& s : found) {
       if (std::abs(s.joints[4]) > 1e-6) continue;  // another shoulder or elbow, with a bent wrist
       EXPECT_EQ(s.joints[4], 0);
-      EXPECT_EQ(s.branch.wrist, Wrist::kPositive);
+      EXPECT_EQ(s.configuration.wrist, Wrist::kPositive);
       kept += s.joints[3] == current[3];
     }
     EXPECT_GE(kept, 1);  // a turn of joint 6 is always left
@@ -142,7 +142,7 @@ TEST(Puma560Inverse, WristTurnedBackOnItself) {
   expectExact(worst);
 }
 
-TEST(Puma560Inverse, PosturesThatMeetAreOne) {
+TEST(Puma560Inverse, ConfigurationsThatMeetAreOne) {
   const Puma560 arm;
   ArmSolutions found;
   // Beyond the stretched arm by less than the tolerance: one elbow.
@@ -160,7 +160,7 @@ TEST(Puma560Inverse, PosturesThatMeetAreOne) {
   arm.inverse(beyond, q, &found);
   ASSERT_FALSE(found.empty());
   for (const ArmSolution& s : found) {
-    EXPECT_EQ(s.branch.elbow, Elbow::kUp);
+    EXPECT_EQ(s.configuration.elbow, Elbow::kUp);
     EXPECT_LE((arm.baseFromTool0(s.joints).translation - beyond.translation).norm(), 1e-12);
   }
   beyond.translation = stretched.translation + 1e-9 * outwards;

@@ -189,9 +189,10 @@ TEST(Overlays, ObjectLiesOnItsProjectedEdgesAndHidesTheHiddenOnes) {
   EXPECT_LT(visible_edges, 12);
 
   for (const cv::Point& pixel : pixels) {
-    double least = 1e9;
-    for (const auto& [a, b] : pieces) least = std::min(least, distance({pixel.x, pixel.y}, a, b));
-    EXPECT_LT(least, 4.0);  // half the dark rim below the line
+    double min_distance = 1e9;
+    for (const auto& [a, b] : pieces)
+      min_distance = std::min(min_distance, distance({pixel.x, pixel.y}, a, b));
+    EXPECT_LT(min_distance, 4.0);  // half the dark rim below the line
   }
 }
 

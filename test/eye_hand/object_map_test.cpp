@@ -54,7 +54,7 @@ TEST(ObjectMap, TheSamePlaceAgainIsNoNewKnowledge) {
 
 TEST(ObjectMap, EnoughViewsAreEnough) {
   ObjectMapOptions options;
-  options.most_views = 2;
+  options.max_views = 2;
   ObjectMap map(&models(), options);
   for (const auto& [stamp, eye] : {std::pair(1, kLeft), std::pair(2, kRight), std::pair(3, kFar)})
     map.add(view(stamp, eye, kTarget, {{kBridge, upright(0.45, 0)}}));

@@ -42,11 +42,12 @@ std::vector<Point> densePoints(const Mesh& mesh, std::mt19937* random) {
 /// How far the motion moves the surface off itself, as a share of the diameter.
 double offBy(const ObjectModel& model, const Rigid3& motion, const std::vector<Point>& points,
              const ClosestPoint& surface) {
-  double most = 0;
+  double max_distance = 0;
   const Rigid3 back = motion.inverse();
   for (const Point& p : points)
-    most = std::max({most, surface.distance(motion * p, 1.0), surface.distance(back * p, 1.0)});
-  return most / model.diameter;
+    max_distance =
+        std::max({max_distance, surface.distance(motion * p, 1.0), surface.distance(back * p, 1.0)});
+  return max_distance / model.diameter;
 }
 
 void expectTrueGroup(const ObjectModel& model, std::mt19937* random) {

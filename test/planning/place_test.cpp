@@ -18,7 +18,7 @@ PlaceRequest placeRequest(double lift) {
   ArmSolutions solutions;
   toolArm().inverse(tcp, pick.start, &solutions);
   for (const ArmSolution& s : solutions)
-    if (s.branch == toolArm().arm.branch(pick.start)) request.start = s.joints;
+    if (s.configuration == toolArm().arm.configuration(pick.start)) request.start = s.joints;
   request.opening = pick.target.opening;
   request.part_width = pick.target.part_width;
   request.drops = pick.drops;

@@ -55,14 +55,13 @@ void expectSound(const Problem& problem, double tolerance = 1e-7) {
   }
 }
 
-Matrix3d randomTriangle(Random& random, double least_altitude) {
+Matrix3d randomTriangle(Random& random, double min_altitude) {
   for (;;) {
     Matrix3d p;
     for (int i = 0; i < 9; ++i) p(i) = uniform(random, -0.5, 0.5);
     const double longest =
         std::max({(p.col(0) - p.col(1)).norm(), (p.col(0) - p.col(2)).norm(), (p.col(1) - p.col(2)).norm()});
-    if ((p.col(1) - p.col(0)).cross(p.col(2) - p.col(0)).norm() > least_altitude * longest * longest)
-      return p;
+    if ((p.col(1) - p.col(0)).cross(p.col(2) - p.col(0)).norm() > min_altitude * longest * longest) return p;
   }
 }
 

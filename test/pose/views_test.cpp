@@ -154,13 +154,13 @@ CornerView view(Random& random, const Matrix3d& directions) {
     v.truth = randomRotation(random);
     v.seen.corner = Vector3d(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4), 1).normalized();
     const Vector3d at = v.seen.corner * uniform(random, 2, 20);
-    double least = 1;  // edges seen end-on or on one line leave the problem undefined
+    double min_angle = 1;  // edges seen end-on or on one line leave the problem undefined
     for (int i = 0; i < 3; ++i) {
       const Vector3d end = at + v.truth * directions.col(i) * uniform(random, 0.3, 1);
       v.seen.far_points.col(i) = end.normalized();
-      least = std::min(least, std::abs(v.seen.corner.cross(v.truth * directions.col(i)).norm()));
+      min_angle = std::min(min_angle, std::abs(v.seen.corner.cross(v.truth * directions.col(i)).norm()));
     }
-    if (least > 0.05) return v;
+    if (min_angle > 0.05) return v;
   }
 }
 

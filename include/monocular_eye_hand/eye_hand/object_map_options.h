@@ -20,7 +20,7 @@ struct ObjectMapOptions {
   int outliers_to_restart = 2;   ///< so many outliers in a row that agree: the object was moved
   double min_motion = 0.01;      ///< views from nearer camera places share their errors [m] ...
   double min_rotation = 0.03;    ///< ... unless the camera turned by this [rad]: they are not averaged
-  int most_views = 200;          ///< merged per object; more tell nothing new
+  int max_views = 200;           ///< merged per object; more tell nothing new
   double overlap_depth = 0.004;  ///< two objects that reach into each other deeper are not both there [m]
   /// What reaches deeper than this, and known_sigmas of its pose, into table, walls or the hand is not there
   /// [m].
@@ -50,7 +50,7 @@ struct ObjectMapOptions {
     v("outliers_to_restart", outliers_to_restart);
     v("min_motion", min_motion);
     v("min_rotation", min_rotation);
-    v("most_views", most_views);
+    v("max_views", max_views);
     v("overlap_depth", overlap_depth);
     v("forget_after_misses", forget_after_misses);
     v("known_depth", known_depth);

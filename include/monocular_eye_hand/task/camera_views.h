@@ -18,10 +18,10 @@ struct CameraViewOptions {
   double search_elevation = 0.9;       ///< above the horizon [rad]
   double near_distance = 0.36;         ///< camera to the object at the first near look [m]
   double near_step = 0.05;             ///< so much nearer with every further one [m]
-  double nearest = 0.28;               ///< but never nearer than this [m]
+  double min_distance = 0.28;          ///< but never nearer than this [m]
   double near_elevation = 1.0;         ///< above the horizon [rad]
   double near_azimuth_step = 1.3;      ///< azimuth from one near look to the next [rad]
-  int most = 24;                       ///< poses handed to the planner
+  int max_views = 24;                  ///< poses handed to the planner
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
@@ -33,10 +33,10 @@ struct CameraViewOptions {
     v("search_elevation", search_elevation);
     v("near_distance", near_distance);
     v("near_step", near_step);
-    v("nearest", nearest);
+    v("min_distance", min_distance);
     v("near_elevation", near_elevation);
     v("near_azimuth_step", near_azimuth_step);
-    v("most", most);
+    v("max_views", max_views);
   }
 };
 
@@ -46,7 +46,7 @@ Eigen::Vector3d lookTarget(const TaskView& view, const std::optional<MappedObjec
                            const std::array<double, 3>& centre, const ModelBase& models);
 
 /// Camera poses (base_from_camera) from which to look at `target` (base frame [m]), the best first: near the
-/// wished direction, and there soonest reached from `current`. All are within reach of the arm; empty when
+/// desired direction, and there soonest reached from `current`. All are within reach of the arm; empty when
 /// none is. The directions of successive overviews alternate about that of the robot itself, those of near
 /// looks go round the object, so that several views cross.
 std::vector<Rigid3> cameraViews(const TaskView& view, const Eigen::Vector3d& target, const Puma560& arm,

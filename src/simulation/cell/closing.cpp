@@ -6,9 +6,9 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kSkin = 2e-6;      // a face at the pad counts as touched [m]
-constexpr double kLetGo = 1e-4;     // a wider opening than the part by this lets it fall [m]
-constexpr double kSteepest = 0.35;  // z of the closing direction up to which a part slides on the table
+constexpr double kSkin = 2e-6;        // a face at the pad counts as touched [m]
+constexpr double kReleaseGap = 1e-4;  // a wider opening than the part by this lets it fall [m]
+constexpr double kSteepest = 0.35;    // z of the closing direction up to which a part slides on the table
 
 }  // namespace
 
@@ -42,7 +42,7 @@ CellGripper::Stop CellGripper::meet(int object, double next, const Rigid3& world
                                     const CellBodies& bodies, Outcome* outcome) {
   const SceneObject& part = (*bodies.objects)[size_t(object)];
   Rigid3 tcp_from_object = world_from_tcp.inverse() * part.world_from_object;
-  if (object == give_to_) tcp_from_object.translation.y() += give_;
+  if (object == compliant_to_) tcp_from_object.translation.y() += compliance_shift_;
   const GripContact contact = gripContact(*part.mesh, tcp_from_object, pads_, width_ + kSkin);
   if (!contact.low.touched) return {0, ""};
   const double high = contact.high.y, low = contact.low.y;
@@ -51,10 +51,10 @@ CellGripper::Stop CellGripper::meet(int object, double next, const Rigid3& world
   // The part goes where the pads push it, or else the pads give way a little.
   const auto yields = [&](double along_y) {
     if (push(object, along_y, world_from_tcp, bodies, outcome)) return true;
-    const double given = object == give_to_ ? give_ : 0;
-    give_to_ = object;
-    give_ = std::clamp(given + along_y, -compliance_, compliance_);
-    moved = give_ - given;
+    const double shift_before = object == compliant_to_ ? compliance_shift_ : 0;
+    compliant_to_ = object;
+    compliance_shift_ = std::clamp(shift_before + along_y, -compliance_, compliance_);
+    moved = compliance_shift_ - shift_before;
     if (moved != along_y) return false;
     outcome->jammed = -1;
     return true;
@@ -107,7 +107,7 @@ double CellGripper::close(double next, const Rigid3& world_from_tcp, const CellB
 void CellGripper::lose(int object) {
   if (held_ == object) held_ = -1;
   if (stalled_by_ == object) stalled_by_ = -1;
-  if (give_to_ == object) give_to_ = -1;
+  if (compliant_to_ == object) compliant_to_ = -1;
 }
 
 CellGripper::Outcome CellGripper::step(double dt, const Rigid3& world_from_tcp, const CellBodies& bodies) {
@@ -115,11 +115,11 @@ CellGripper::Outcome CellGripper::step(double dt, const Rigid3& world_from_tcp, 
   const double before = width_;
 
   if (target_ > width_) {
-    stalled_by_ = give_to_ = -1;
+    stalled_by_ = compliant_to_ = -1;
     width_ = std::min(target_, width_ + speed_ * dt);
     if (held_ >= 0 && width_ - before > 0) {
       open_ += width_ - before;
-      if (open_ > kLetGo) {
+      if (open_ > kReleaseGap) {
         outcome.released = held_;
         held_ = -1;
       }

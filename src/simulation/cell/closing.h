@@ -64,8 +64,8 @@ class CellGripper {
   double velocity_ = 0;
   double open_ = 0;  // opened so far since the part was held
   int held_ = -1, stalled_by_ = -1;
-  int give_to_ = -1;  // object to which the pads give way ...
-  double give_ = 0;   // ... as if it had moved so far along y [m]
+  int compliant_to_ = -1;        // object to which the pads give way ...
+  double compliance_shift_ = 0;  // ... as if it had moved so far along y [m]
   Rigid3 tcp_from_held_;
 };
 

@@ -46,16 +46,16 @@ std::vector<Piece> between(const Mesh& mesh, const Rigid3& tcp_from_object, cons
   std::vector<Piece> pieces;
   for (const auto& t : mesh.triangles) {
     const Eigen::Vector3d &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
-    const Eigen::Vector3d least = a.cwiseMin(b).cwiseMin(c), most = a.cwiseMax(b).cwiseMax(c);
+    const Eigen::Vector3d corner_low = a.cwiseMin(b).cwiseMin(c), corner_high = a.cwiseMax(b).cwiseMax(c);
     bool apart = false;
-    for (int k = 0; k < 3; ++k) apart = apart || least[k] > high[k] || most[k] < low[k];
+    for (int k = 0; k < 3; ++k) apart = apart || corner_low[k] > high[k] || corner_high[k] < low[k];
     const Eigen::Vector3d normal = (b - a).cross(c - a);
     if (apart || !(normal.norm() > 0)) continue;
 
     Polygon polygon{a, b, c};
     for (int k = 0; k < 3 && !polygon.empty(); ++k) {
-      if (most[k] > high[k]) clip(&polygon, k, high[k], 1);
-      if (least[k] < low[k]) clip(&polygon, k, low[k], -1);
+      if (corner_high[k] > high[k]) clip(&polygon, k, high[k], 1);
+      if (corner_low[k] < low[k]) clip(&polygon, k, low[k], -1);
     }
     if (!polygon.empty()) pieces.push_back({std::move(polygon), normal.normalized()});
   }
@@ -103,7 +103,7 @@ GripContact gripContact(const Mesh& mesh, const Rigid3& tcp_from_object, const G
 
 std::string gripWeakness(const GripContact& contact, double friction) {
   if (!contact.low.touched || !contact.high.touched) return "nothing between the pads";
-  if (contact.low.area < kLeastPatch || contact.high.area < kLeastPatch)
+  if (contact.low.area < kMinPatch || contact.high.area < kMinPatch)
     return "a pad meets too little of the part";
   const double cone = 1 / std::sqrt(1 + friction * friction);  // cosine of its half angle
   const Eigen::Vector3d line = (contact.high.centre - contact.low.centre).normalized();

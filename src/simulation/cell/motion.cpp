@@ -126,10 +126,10 @@ void JointMotion::follow(double dt, std::vector<LimitViolation>* violations) {
   bool arrived = time_ >= path_.back().time;
 
   for (int j = 0; j < 6; ++j) {
-    const double most = limits_[j].velocity, needed = (wanted[j] - positions_[j]) / dt;
-    if (std::abs(needed) > most * (1 + kSlack)) {
-      violations->push_back({j, LimitViolation::Kind::kVelocity, needed, most});
-      velocities_[j] = std::copysign(most, needed);
+    const double max_velocity = limits_[j].velocity, needed = (wanted[j] - positions_[j]) / dt;
+    if (std::abs(needed) > max_velocity * (1 + kSlack)) {
+      violations->push_back({j, LimitViolation::Kind::kVelocity, needed, max_velocity});
+      velocities_[j] = std::copysign(max_velocity, needed);
       positions_[j] += velocities_[j] * dt;
     } else {
       velocities_[j] = speed[j];

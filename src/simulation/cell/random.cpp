@@ -18,8 +18,8 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kPadHalfWidth = 0.010, kPadHeight = 0.020;  // what is assumed of a gripper [m]
-constexpr double kReachDown = 0.035;    // the fingers reach so far below a part's top ...
-constexpr double kLeastHeight = 0.010;  // ... and stay so far above the table [m]
+constexpr double kReachDown = 0.035;  // the fingers reach so far below a part's top ...
+constexpr double kMinHeight = 0.010;  // ... and stay so far above the table [m]
 constexpr double kFriction = 0.3;
 
 /// A way to hold a resting part from above: the rectangles beside its two faces where the fingers go.
@@ -42,7 +42,7 @@ std::vector<TopGrasp> topGrasps(const Mesh& mesh, const Rigid3& table_from_objec
       Rigid3 table_from_tcp;
       table_from_tcp.rotation << x, z.cross(x), z;
       table_from_tcp.translation = 0.01 * step * x + box.center();
-      table_from_tcp.translation.z() = std::max(kLeastHeight, box.max().z() - kReachDown);
+      table_from_tcp.translation.z() = std::max(kMinHeight, box.max().z() - kReachDown);
 
       const GripContact contact =
           gripContact(mesh, table_from_tcp.inverse() * table_from_object, pads, 10 * widest);

@@ -14,7 +14,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kTexel = 0.0005;  // finest grid of the table's texture [m]
-constexpr double kMostTexels = 6e6;
+constexpr double kMaxTexels = 6e6;
 
 }  // namespace
 
@@ -24,15 +24,15 @@ FastShading::FastShading(const Scene& scene, std::vector<Material> materials, in
       background_(float(scene.background)),
       lights_(discLights(scene)),
       table_(table) {
-  if (scene.lights.size() > size_t(kMostLights))
-    throw BadInput(fmt::format("lights: {} given, at most {} possible", scene.lights.size(), kMostLights));
+  if (scene.lights.size() > size_t(kMaxLights))
+    throw BadInput(fmt::format("lights: {} given, at most {} possible", scene.lights.size(), kMaxLights));
   if (table_ >= 0 && scene.table.material.texture.kind != Texture::Kind::kPlain)
     drawTable(scene.table, threads);
 }
 
 void FastShading::drawTable(const Table& table, int threads) {
   const double length = 2 * table.half_width, width = 2 * table.half_depth;
-  const double texel = std::max(kTexel, std::sqrt(length * width / kMostTexels));
+  const double texel = std::max(kTexel, std::sqrt(length * width / kMaxTexels));
   table_texture_.create(int(std::ceil(width / texel)) + 2, int(std::ceil(length / texel)) + 2);
   texel_ = float(texel);
   table_corner_ = {float(-table.half_width), float(-table.half_depth)};

@@ -7,10 +7,10 @@
 
 namespace monocular_eye_hand {
 
-constexpr int kMostLights = 8;
+constexpr int kMaxLights = 8;
 
 /// What every light gives to a point: 0 (shadow) to 1.
-using LightShares = std::array<float, kMostLights>;
+using LightShares = std::array<float, kMaxLights>;
 
 /// A surface point that is to be shaded; world frame.
 struct SurfacePoint {

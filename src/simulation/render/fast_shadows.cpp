@@ -41,12 +41,12 @@ void FastRenderer::sortShadows() {
 
   for (int light = 0; light < shading_.lights(); ++light) {
     const cv::Mat1b& lit = lit_[size_t(light)];
-    cv::Mat1f mean, least, most;
+    cv::Mat1f mean, min_mean, max_mean;
     cv::boxFilter(lit, mean, CV_32F, {5, 5}, {-1, -1}, true, cv::BORDER_REPLICATE);
-    cv::erode(mean, least, nine);
-    cv::dilate(mean, most, nine);
+    cv::erode(mean, min_mean, nine);
+    cv::dilate(mean, max_mean, nine);
     cv::boxFilter(lit, wide_shares_[size_t(light)], CV_32F, {13, 13}, {-1, -1}, true, cv::BORDER_REPLICATE);
-    const cv::Mat1b sharp = (most - least > kGrain) | near_edge;
+    const cv::Mat1b sharp = (max_mean - min_mean > kGrain) | near_edge;
     wide_shares_[size_t(light)].setTo(-1, sharp);
 
     cv::erode(lit, low, five);

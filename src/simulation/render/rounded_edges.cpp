@@ -117,13 +117,13 @@ RoundedEdges::Bend RoundedEdges::bend(uint32_t triangle, const Eigen::Vector3f& 
 }
 
 float RoundedEdges::nearness(uint32_t triangle, const Eigen::Vector3f& p, float width) const {
-  float most = 0;
-  if (first_.empty()) return most;
+  float max_nearness = 0;
+  if (first_.empty()) return max_nearness;
   for (int k = first_[triangle]; k < first_[triangle + 1]; ++k) {
     const Edge& edge = edges_[size_t(near_[size_t(k)])];
-    if (edge.convex) most = std::max(most, 1 - (p - closestPoint(edge, p)).norm() / width);
+    if (edge.convex) max_nearness = std::max(max_nearness, 1 - (p - closestPoint(edge, p)).norm() / width);
   }
-  return most;
+  return max_nearness;
 }
 
 }  // namespace monocular_eye_hand

@@ -11,7 +11,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr int kMirrorDimension = 40, kBrushDimension = 41;  // of PixelSampler, beyond those of the lights
-constexpr int kMostLayers = 12;                             // of a translucent object that a ray passes
+constexpr int kMaxLayers = 12;                              // of a translucent object that a ray passes
 constexpr float kGrazing = 0.8f;  // share of Fresnel's rise towards grazing angles that rough surfaces show
 
 // An odd number coprime to the count makes k -> (stride k + shift) mod count a permutation.
@@ -101,7 +101,7 @@ double Shader::lightShare(const Eigen::Vector3f& p, const DiscLight& light,
   Eigen::Vector3f from = p;
   double share = 1;
   float left = distance;
-  for (int layer = 0; layer < kMostLayers; ++layer) {
+  for (int layer = 0; layer < kMaxLayers; ++layer) {
     const RayWorld::Hit hit = world_.cast(from, direction);
     if (hit.id == kNothingId || hit.distance > left) return share;
     const Finish* finish = surfaceOf(hit.id).finish();
@@ -229,7 +229,7 @@ float Shader::behind(int object, const Eigen::Vector3f& from, const Eigen::Vecto
                      const PixelSampler& sampler, int sample) const {
   Eigen::Vector3f origin = from;
   float share = 1;
-  for (int layer = 0; layer < kMostLayers; ++layer) {
+  for (int layer = 0; layer < kMaxLayers; ++layer) {
     const RayWorld::Hit hit = world_.cast(origin, direction);
     if (hit.id == kNothingId) return share * float(scene_.background);
     if (hit.id != object) return share * seen(origin, direction, hit, sampler, sample);

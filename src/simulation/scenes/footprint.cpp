@@ -39,8 +39,8 @@ int sharedCells(const Footprint& a, const Footprint& b) {
 
 double footprintOverlap(const SceneObject& a, const SceneObject& b) {
   const Footprint fa = footprint(a), fb = footprint(b);
-  const int least = std::min(cv::countNonZero(fa.mask), cv::countNonZero(fb.mask));
-  return least > 0 ? double(sharedCells(fa, fb)) / least : 0;
+  const int min_area = std::min(cv::countNonZero(fa.mask), cv::countNonZero(fb.mask));
+  return min_area > 0 ? double(sharedCells(fa, fb)) / min_area : 0;
 }
 
 }  // namespace monocular_eye_hand

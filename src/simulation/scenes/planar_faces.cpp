@@ -103,7 +103,7 @@ FaceFold foldOver(const PlanarFace& from, const PlanarFace& to, const SharedEdge
 
 }  // namespace
 
-PlanarFaces planarFaces(const Mesh& mesh, double least_share, size_t most) {
+PlanarFaces planarFaces(const Mesh& mesh, double min_share, size_t max_faces) {
   std::vector<Eigen::Vector3d> normals;
   double surface = 0;
   for (const auto& t : mesh.triangles) {
@@ -121,11 +121,11 @@ PlanarFaces planarFaces(const Mesh& mesh, double least_share, size_t most) {
   std::vector<std::pair<PlanarFace, int>> found;
   for (const auto& group : members) {
     const PlanarFace face = faceOf(mesh, group.second);
-    if (face.area > least_share * surface) found.emplace_back(face, group.first);
+    if (face.area > min_share * surface) found.emplace_back(face, group.first);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first.area > b.first.area; });
-  if (found.size() > most) found.resize(most);
+  if (found.size() > max_faces) found.resize(max_faces);
 
   PlanarFaces out;
   std::map<int, int> face_of_group;

@@ -25,7 +25,7 @@ struct PlanarFaces {
   std::vector<FaceFold> folds;
 };
 
-/// Faces with more than `least_share` of the mesh's surface, at most `most` of them.
-PlanarFaces planarFaces(const Mesh& mesh, double least_share = 0.03, size_t most = 8);
+/// Faces with more than `min_share` of the mesh's surface, at most `max_faces` of them.
+PlanarFaces planarFaces(const Mesh& mesh, double min_share = 0.03, size_t max_faces = 8);
 
 }  // namespace monocular_eye_hand

@@ -21,7 +21,7 @@ class Sheet {
   }
   int width() const { return tone_.cols; }
   int height() const { return tone_.rows; }
-  int least() const { return std::min(width(), height()); }
+  int minSide() const { return std::min(width(), height()); }
   double ground() const { return ground_; }
   double ink() const { return ink_; }
   Generator& random() { return *random_; }
@@ -89,9 +89,9 @@ class Sheet {
   Generator* random_;
 };
 
-std::string word(Generator* random, int least, int most) {
+std::string word(Generator* random, int min_letters, int max_letters) {
   static const std::string kVowels = "aeiou", kOthers = "bcdfghklmnprstvwz";
-  const int style = random->integer(0, 3), length = random->integer(least, most);
+  const int style = random->integer(0, 3), length = random->integer(min_letters, max_letters);
   std::string out;
   for (int k = 0; k < length; ++k) {
     const std::string& from = k % 2 ? kVowels : kOthers;
@@ -228,7 +228,7 @@ void drawHandwriting(Sheet* sheet) {
     wordsIn(sheet, box, word(&sheet->random(), 2, 6), font, sheet->ink(), sheet->random().integer(1, 3));
   }
   if (sheet->random().integer(0, 1) == 0) return;
-  const int pen = std::max(1, sheet->least() / 30);
+  const int pen = std::max(1, sheet->minSide() / 30);
   sheet->curve(stroke(sheet, {sheet->width() / 10, sheet->height() * 4 / 5}, sheet->width() * 0.8, 0.3),
                sheet->ink(), pen);
 }
@@ -239,7 +239,7 @@ void drawLabel(Sheet* sheet) {
   const double ink = dark ? sheet->share(0.6, 0.9) : sheet->share(0.04, 0.2);
   sheet->fill(paper);
   const cv::Rect box = inner({sheet->width(), sheet->height()}, 0.08);
-  if (sheet->random().integer(0, 1) == 1) sheet->rectangle(box, ink, std::max(1, sheet->least() / 50));
+  if (sheet->random().integer(0, 1) == 1) sheet->rectangle(box, ink, std::max(1, sheet->minSide() / 50));
   const cv::Rect text(box.x + box.width / 20, box.y + box.height / 12, box.width * 9 / 10,
                       box.height * 8 / 10);
   const int split = text.height * sheet->random().integer(3, 6) / 10;
@@ -255,7 +255,7 @@ void drawLabel(Sheet* sheet) {
 
 void drawLogo(Sheet* sheet) {
   const cv::Point centre(sheet->width() / 2, sheet->height() / 2);
-  const int radius = std::max(2, int(0.46 * sheet->least()));
+  const int radius = std::max(2, int(0.46 * sheet->minSide()));
   switch (sheet->random().integer(0, 2)) {
     case 0:
       sheet->circle(centre, radius, sheet->ink(), std::max(1, radius / 6));
@@ -288,8 +288,8 @@ void drawPatchwork(Sheet* sheet) {
   if (sheet->random().integer(0, 1) == 0) return;
   const int strokes = sheet->random().integer(2, 8);
   for (int k = 0; k < strokes; ++k)
-    sheet->curve(stroke(sheet, sheet->anywhere(), sheet->least() * sheet->share(0.3, 1), 0.4),
-                 sheet->share(0.05, 0.5), std::max(1, sheet->least() / 80));
+    sheet->curve(stroke(sheet, sheet->anywhere(), sheet->minSide() * sheet->share(0.3, 1), 0.4),
+                 sheet->share(0.05, 0.5), std::max(1, sheet->minSide() / 80));
 }
 
 // Smooth blotches between two greys, as a photograph seen from afar.
@@ -333,7 +333,7 @@ void drawScratches(Sheet* sheet) {
     const double main = sheet->share(0, M_PI);
     const int count = sheet->random().integer(2, 12);
     for (int k = 0; k < count; ++k) {
-      const double angle = main + sheet->share(-0.2, 0.2), length = sheet->least() * sheet->share(0.1, 0.7);
+      const double angle = main + sheet->share(-0.2, 0.2), length = sheet->minSide() * sheet->share(0.1, 0.7);
       const cv::Point from = sheet->anywhere();
       const cv::Point to(from.x + int(length * std::cos(angle)), from.y + int(length * std::sin(angle)));
       sheet->curve({from, to}, tone, 1, sheet->share(0.2, 0.8));
@@ -344,13 +344,13 @@ void drawScratches(Sheet* sheet) {
 void drawStains(Sheet* sheet) {
   const int count = sheet->random().integer(1, 5);
   for (int k = 0; k < count; ++k)
-    sheet->polygon(blob(sheet, sheet->anywhere(), sheet->least() * sheet->share(0.1, 0.5), 12, 0.5),
+    sheet->polygon(blob(sheet, sheet->anywhere(), sheet->minSide() * sheet->share(0.1, 0.5), 12, 0.5),
                    sheet->ink(), sheet->share(0.15, 0.5));
-  sheet->soften(std::max(0.6, sheet->least() * sheet->share(0.005, 0.06)));
+  sheet->soften(std::max(0.6, sheet->minSide() * sheet->share(0.005, 0.06)));
 }
 
 void drawGrid(Sheet* sheet) {
-  const int step = std::max(6, int(sheet->least() * sheet->share(0.04, 0.12)));
+  const int step = std::max(6, int(sheet->minSide() * sheet->share(0.04, 0.12)));
   const int thickness = std::max(1, step / 25);
   for (int x = step / 2; x < sheet->width(); x += step)
     sheet->rectangle({x, 0, thickness, sheet->height()}, sheet->ink());
@@ -417,7 +417,7 @@ cv::Mat_<cv::Vec2f> drawArt(Art art, const cv::Size& texels, double ground, Gene
       bars(&sheet, whole, 0.05, 0.85);
       break;
     case Art::kTag:
-      tag(&sheet, {0, 0, sheet.least(), sheet.least()});
+      tag(&sheet, {0, 0, sheet.minSide(), sheet.minSide()});
       break;
     case Art::kLogo:
       drawLogo(&sheet);

@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kLeastTexels = 12;  // across a picture: a smaller one would only be a smudge
+constexpr int kMinTexels = 12;  // across a picture: a smaller one would only be a smudge
 
 Rigid3 turned(double angle, double x, double y) { return {expSO3({0, 0, angle}), {x, y, 0}}; }
 
@@ -35,7 +35,7 @@ bool markCurved(const Mesh& mesh, double texel, double ground, Generator* random
     high = high.cwiseMax(p);
   }
   const double size = (high - low).minCoeff() * random->uniform(0.4, 1.0);
-  if (size < kLeastTexels * texel) return false;
+  if (size < kMinTexels * texel) return false;
 
   const auto& t = mesh.triangles[size_t(random->integer(0, int(mesh.triangles.size()) - 1))];
   const Eigen::Vector3d &a = mesh.vertices[size_t(t[0])], &b = mesh.vertices[size_t(t[1])],
@@ -64,7 +64,7 @@ void markFace(const PlanarFaces& found, double texel, double ground, Generator* 
   const double width = face.width * random->uniform(0.25, 0.9);
   const double height = std::min(
       face.height * 0.95, art == Art::kTag || art == Art::kLogo ? width : width * random->uniform(0.2, 0.6));
-  if (std::min(width, height) < kLeastTexels * texel) return;
+  if (std::min(width, height) < kMinTexels * texel) return;
   // In the middle, at the border, or hanging over it.
   const double reach_x =
       std::max(0.0, 0.5 * (face.width - width)) + (random->integer(0, 3) == 0 ? 0.2 * width : 0);
@@ -83,7 +83,7 @@ void stickerOverEdge(const PlanarFaces& found, double texel, double ground, Gene
   const PlanarFace& face = found.faces[size_t(fold.from)];
   const double width = std::min(face.width, 2 * face.height) * random->uniform(0.3, 0.8);
   const double height = width * random->uniform(0.4, 0.9);
-  if (height < kLeastTexels * texel) return;
+  if (height < kMinTexels * texel) return;
   const Eigen::Vector3d at = face.object_from_face.inverse() * fold.middle;
   const Rigid3 frame = face.object_from_face *
                        turned(M_PI / 2 * random->integer(0, 3) + random->uniform(-0.2, 0.2), at.x(), at.y());
@@ -97,7 +97,7 @@ void stickerOverEdge(const PlanarFaces& found, double texel, double ground, Gene
 void fillFace(const PlanarFace& face, Art art, double texel, double ground, Generator* random,
               std::vector<Print>* prints) {
   const double margin = random->integer(0, 1) ? 1.0 : random->uniform(0.8, 1.0);
-  if (face.height < kLeastTexels * texel) return;
+  if (face.height < kMinTexels * texel) return;
   prints->push_back(makePrint(art, face.object_from_face * turned(M_PI * random->integer(0, 1), 0, 0),
                               face.width * margin, face.height * margin, texel, ground, random));
 }

@@ -39,9 +39,9 @@ HeightMap heightMap(const SceneObject& object, bool upper) {
     const Eigen::Vector2d u = (b - a).head<2>(), v = (c - a).head<2>();
     const double cross = u.x() * v.y() - u.y() * v.x();
     if (std::abs(cross) < 1e-12) continue;  // stands upright
-    const Eigen::Vector3d least = a.cwiseMin(b).cwiseMin(c), most = a.cwiseMax(b).cwiseMax(c);
-    for (int y = cell(least.y()); y <= cell(most.y()); ++y)
-      for (int x = cell(least.x()); x <= cell(most.x()); ++x) {
+    const Eigen::Vector3d corner_low = a.cwiseMin(b).cwiseMin(c), corner_high = a.cwiseMax(b).cwiseMax(c);
+    for (int y = cell(corner_low.y()); y <= cell(corner_high.y()); ++y)
+      for (int x = cell(corner_low.x()); x <= cell(corner_high.x()); ++x) {
         const Eigen::Vector2d d = Eigen::Vector2d((x + 0.5) * kGrid, (y + 0.5) * kGrid) - a.head<2>();
         const double s = (d.x() * v.y() - d.y() * v.x()) / cross, r = (u.x() * d.y() - u.y() * d.x()) / cross;
         if (s < 0 || r < 0 || s + r > 1) continue;
@@ -57,14 +57,14 @@ HeightMap heightMap(const SceneObject& object, bool upper) {
 /// side.
 double clearance(const HeightMap& underside, const HeightMap& upper) {
   constexpr double kThrough = 0.005;  // deeper below it than this, it is not on top of it
-  double least = std::numeric_limits<double>::infinity();
+  double min_gap = std::numeric_limits<double>::infinity();
   const cv::Rect both = underside.cells & upper.cells;
   for (int y = both.y; y < both.y + both.height; ++y)
     for (int x = both.x; x < both.x + both.width; ++x) {
       const double gap = underside.at({x, y}) - upper.at({x, y});
-      if (gap > -kThrough) least = std::min(least, gap);  // false for NaN
+      if (gap > -kThrough) min_gap = std::min(min_gap, gap);  // false for NaN
     }
-  return least;
+  return min_gap;
 }
 
 /// Turned about the centre of mass into the nearest stable pose.

@@ -89,9 +89,9 @@ TEST(Prints, ColourTheirPlaceAndNothingElse) {
   ASSERT_GT(cv::countNonZero(inside), 100);
   EXPECT_EQ(cv::countNonZero(differs & ~around), 0) << "off the print nothing changes";
   EXPECT_EQ(cv::countNonZero(~differs & inside), 0);
-  double most = 0;
-  cv::minMaxLoc(after, nullptr, &most, nullptr, nullptr, inside);
-  EXPECT_LT(most, 3) << "black ink";
+  double max_grey = 0;
+  cv::minMaxLoc(after, nullptr, &max_grey, nullptr, nullptr, inside);
+  EXPECT_LT(max_grey, 3) << "black ink";
 }
 
 TEST(Prints, StayOnTheirFace) {

@@ -43,7 +43,7 @@ double lowest(const SceneObject& object) {
 }  // namespace
 
 TEST(RandomPicture, PartsOfAllSizesAppearInUsefulSizes) {
-  double least = 1e9, most = 0;
+  double min_diameter = 1e9, max_diameter = 0;
   std::map<std::string, int> seen;
   for (uint32_t seed = 0; seed < 60; ++seed) {
     RandomPictureOptions options;
@@ -52,15 +52,15 @@ TEST(RandomPicture, PartsOfAllSizesAppearInUsefulSizes) {
     ASSERT_FALSE(picture.scene.objects.empty());
     for (const SceneObject& object : picture.scene.objects) {
       if (object.model < 0) continue;
-      least = std::min(least, diameterInPixels(picture, object));
-      most = std::max(most, diameterInPixels(picture, object));
+      min_diameter = std::min(min_diameter, diameterInPixels(picture, object));
+      max_diameter = std::max(max_diameter, diameterInPixels(picture, object));
       seen[object.name]++;
     }
   }
-  EXPECT_GT(least, 35);
-  EXPECT_LT(least, 80);
-  EXPECT_LT(most, 600);
-  EXPECT_GT(most, 250);
+  EXPECT_GT(min_diameter, 35);
+  EXPECT_LT(min_diameter, 80);
+  EXPECT_LT(max_diameter, 600);
+  EXPECT_GT(max_diameter, 250);
   EXPECT_EQ(seen.size(), parts().size());
 }
 
@@ -68,20 +68,20 @@ TEST(RandomPicture, CameraIsDrawnWithinItsBounds) {
   RandomPictureOptions options;
   options.width = 1280;
   options.height = 720;
-  double least = 10, most = 0;
+  double min_focal = 10, max_focal = 0;
   for (uint32_t seed = 0; seed < 40; ++seed) {
     const Camera camera = randomPicture(parts(), seed, options).camera;
     EXPECT_EQ(camera.width, 1280);
     EXPECT_EQ(camera.height, 720);
     EXPECT_LE(std::abs(camera.cx - 639.5), 12);
     EXPECT_LE(std::abs(camera.cy - 359.5), 12);
-    least = std::min(least, camera.fx / camera.width);
-    most = std::max(most, camera.fx / camera.width);
+    min_focal = std::min(min_focal, camera.fx / camera.width);
+    max_focal = std::max(max_focal, camera.fx / camera.width);
   }
-  EXPECT_GE(least, 0.9);
-  EXPECT_LT(least, 1.0);
-  EXPECT_LE(most, 1.6);
-  EXPECT_GT(most, 1.5);
+  EXPECT_GE(min_focal, 0.9);
+  EXPECT_LT(min_focal, 1.0);
+  EXPECT_LE(max_focal, 1.6);
+  EXPECT_GT(max_focal, 1.5);
 }
 
 TEST(RandomPicture, ForeignPartsAreClutter) {
@@ -121,17 +121,17 @@ TEST(RandomPicture, SensorFollowsTheLevel) {
   RandomPictureOptions options;
   EXPECT_EQ(randomPicture(parts(), 1, options).render.noise_sigma, 1);
   options.scene.level = SceneLevel::kHard;
-  double least = 10, most = 0;
+  double min_sigma = 10, max_sigma = 0;
   for (uint32_t seed = 0; seed < 30; ++seed) {
     const RenderOptions render = randomPicture(parts(), seed, options).render;
     EXPECT_EQ(render.noise_sigma, 3.5);
-    least = std::min(least, render.blur_sigma);
-    most = std::max(most, render.blur_sigma);
+    min_sigma = std::min(min_sigma, render.blur_sigma);
+    max_sigma = std::max(max_sigma, render.blur_sigma);
   }
-  EXPECT_GE(least, 0.6);
-  EXPECT_LT(least, 0.7);
-  EXPECT_LE(most, 1.1);
-  EXPECT_GT(most, 1.0);
+  EXPECT_GE(min_sigma, 0.6);
+  EXPECT_LT(min_sigma, 0.7);
+  EXPECT_LE(max_sigma, 1.1);
+  EXPECT_GT(max_sigma, 1.0);
 }
 
 TEST(RandomPicture, SameSeedSamePicture) {

@@ -35,7 +35,7 @@ struct GripContact {
 };
 
 constexpr double kPadCompliance = 0.001;  ///< how deep the pads' rubber gives way [m]
-constexpr double kLeastPatch = 4e-5;      ///< of the part that each pad must meet [m^2]
+constexpr double kMinPatch = 4e-5;        ///< of the part that each pad must meet [m^2]
 
 /// What of the part lies between pads that are `opening` apart, by exact clipping of its triangles.
 GripContact gripContact(const Mesh& mesh, const Rigid3& tcp_from_object, const GripperPads& pads,

@@ -1,4 +1,4 @@
-#include "model/look_alikes.h"
+#include "model/similar_models.h"
 
 #include <algorithm>
 #include <cmath>
