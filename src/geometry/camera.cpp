@@ -286,6 +286,7 @@ void Camera::check() const {
                          "and its image size",
                          width));
   }
+
   if (!(cx > 0 && cx < width)) refuse("cx", cx, "px lies outside the image: check the calibration");
   if (!(cy > 0 && cy < height)) refuse("cy", cy, "px lies outside the image: check the calibration");
   const char* names[] = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};

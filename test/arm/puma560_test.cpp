@@ -86,6 +86,7 @@ TEST(Puma560, InverseFindsTheJointsItCameFromWithTheirConfiguration) {
     for (int i = 0; i < found.size(); ++i)
       for (int j = 0; j < i; ++j) EXPECT_GT(largestDifference(found[i].joints, found[j].joints), 1e-6);
   }
+
   EXPECT_EQ(seen.size(), 8u);
 }
 
@@ -103,6 +104,7 @@ TEST(Puma560, EveryTurnInsideTheLimits) {
   int turns = 0;
   for (const ArmSolution& solution : found) turns += solution.configuration == arm.configuration(q);
   EXPECT_EQ(turns, 2 * 2 * 2);
+
   // At an angle of zero each of the three joints has three turns, two of them on the limits.
   q << 0, 0.4, -0.9, 0, 0.6, 0;
   arm.inverse(arm.baseFromTool0(q), q, &found);

@@ -68,6 +68,7 @@ TEST(Puma560Inverse, ExactWithOtherLengths) {
   options.d3 = 0.149;
   options.d4 = 0.4331;
   options.d6 = 0.0558;
+
   for (double d3 : {0.149, -0.149, 0.0}) {
     options.d3 = d3;
     const Puma560 arm(options);
@@ -89,6 +90,7 @@ TEST(Puma560Inverse, StraightWristKeepsJoint4) {
   const Puma560 arm;
   Random random(8);
   ArmSolutions found;
+
   for (int k = 0; k < 500; ++k) {
     JointVector q = randomJoints(random, arm.options());
     q[4] = 0;
@@ -124,6 +126,7 @@ TEST(Puma560Inverse, StraightWristMovesJoint4AsLittleAsJoint6Asks) {
     EXPECT_NEAR(s.joints[3], 0.8, 1e-12);
     EXPECT_NEAR(s.joints[5], 0.5, 1e-12);
   }
+
   EXPECT_EQ(straight, 1);
 }
 
@@ -145,6 +148,7 @@ TEST(Puma560Inverse, WristTurnedBackOnItself) {
 TEST(Puma560Inverse, ConfigurationsThatMeetAreOne) {
   const Puma560 arm;
   ArmSolutions found;
+
   // Beyond the stretched arm by less than the tolerance: one elbow.
   JointVector q = JointVector::Zero();
   q[1] = 0.3;

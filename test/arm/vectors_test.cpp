@@ -104,6 +104,7 @@ void checkAll(const std::string& path, size_t at_least) {
     SCOPED_TRACE(named.key());
     checkForward(arm, named.value());
   }
+
   EXPECT_GE(data.at("vectors").size(), at_least);
   for (size_t i = 0; i < data.at("vectors").size(); ++i) {
     SCOPED_TRACE("vector " + std::to_string(i));

@@ -55,6 +55,7 @@ FeatureSet someFeatures() {
     point.normal = Eigen::Vector2f(0, 1);
     features.points.push_back(point);
   }
+
   features.traces = {{0, 60, false}};
   LineSegment plain{}, joined{};
   plain.p = {100, 120};
@@ -207,6 +208,7 @@ TEST(Overlays, AxesAndLabelAreDrawn) {
   style.label = "box 0.97";
   drawObject(&full, model, boxPose(), style);
   EXPECT_GT(cv::countNonZero(changed(full)), cv::countNonZero(changed(plain)) + 300);
+
   const Eigen::Vector2d tip =
       full.at(lens().project(boxPose() * Eigen::Vector3d(0.8 * model.diameter / 3, 0, 0)));
   const cv::Vec3b colour = full.picture().at<cv::Vec3b>(int(std::lround(tip.y())), int(std::lround(tip.x())));

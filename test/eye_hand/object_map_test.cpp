@@ -73,6 +73,7 @@ TEST(ObjectMap, AnOutlierIsLeftOutAndAMovedObjectFollowed) {
   EXPECT_THAT(report.decisions[0].reason, HasSubstr("above the gate of 30"));
   EXPECT_EQ(map.objects()[0].outliers, 1);
   EXPECT_THAT(there, PoseNear(map.objects()[0].base_from_object, 1e-06, 6e-08));
+
   report = map.add(view(4, kNear, kTarget, {{kBridge, there}}));  // a single one is forgotten again
   EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kMerged);
   EXPECT_EQ(map.objects()[0].outliers, 0);
@@ -154,6 +155,7 @@ TEST(ObjectMap, WhatCouldNotBeSeenIsKept) {
   map.add(view(1, kLeft, kTarget, {{kBridge, a}}));
   for (int k = 0; k < 4; ++k)  // out of the image
     map.add(view(2 + k, kTarget + Eigen::Vector3d(0.8, 0, 0.3), kTarget + Eigen::Vector3d(0.8, 0, 0), {}));
+
   EXPECT_EQ(map.objects().at(0).misses, 0);
   map.add(view(10, kTarget + Eigen::Vector3d(0, 0, 9), kTarget, {}));  // too small
   EXPECT_EQ(map.objects().at(0).misses, 0);
@@ -305,6 +307,7 @@ TEST(ObjectMap, BadInputLeavesTheMapAlone) {
     spoil(&v);
     return refusal([&] { map.add(v); });
   };
+
   EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].object = 9; }),
               HasSubstr("object 9 is not in the model base"));
   EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].covariance(0, 0) = NAN; }),

@@ -131,6 +131,7 @@ TEST(Sampling, GivenGraspsAreCheckedAndTurned) {
   ASSERT_EQ(found.grasps.size(), 2u) << found.reason;
   EXPECT_EQ(found.grasps[0].source, "given 0");
   EXPECT_GT(found.grasps[0].contact, 0.9);
+
   object.handling.grasps[0].rotation_steps = 4;  // two of them close on 60 mm
   found = graspsOf(object, {});
   EXPECT_EQ(found.grasps.size(), 2u);
@@ -139,6 +140,7 @@ TEST(Sampling, GivenGraspsAreCheckedAndTurned) {
   found = graspsOf(object, {});
   EXPECT_TRUE(found.grasps.empty());
   EXPECT_THAT(found.reason, HasSubstr("width 200 mm does not fit the opening of 0 to 90 mm"));
+
   object.handling.grasps[0].width = 0.04;
   object.handling.grasps[0].object_from_tcp.translation.z() = 0.0;  // the rail would be inside the box
   found = graspsOf(object, {});

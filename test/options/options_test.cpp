@@ -90,6 +90,7 @@ stages:
   - {name: first}
   - {name: second, rounds: 7}
 )");
+
   EXPECT_EQ(options.lens.blur, 2);
   EXPECT_THAT(options.lens.k, ElementsAre(0.1, -2e-3, 3));
   EXPECT_TRUE(options.colour);

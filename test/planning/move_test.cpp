@@ -60,6 +60,7 @@ TEST(Move, SaysWhyNot) {
   plan = planMove(toolArm(), demoWorld(), moveTo({down(1.5, 0, 0.6), down(0.5, 0, kTableTop - 0.01)}));
   EXPECT_EQ(plan.outcome, MoveOutcome::kGoalInCollision);
   EXPECT_NE(plan.reason.find("table"), std::string::npos) << plan.reason;
+
   // Behind a wall, in the same configuration: there is a way around, but not within two tests.
   CollisionWorld wall = demoWorld();
   wall.addBox("wall", {0.50, 0.01, 0.45}, at(0.60, -0.25, kTableTop + 0.225));

@@ -75,6 +75,7 @@ TEST(Place, WithdrawsFromANarrowPlace) {
   ASSERT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
   ASSERT_EQ(plan.motions.size(), 4u);
   EXPECT_EQ(plan.motions[0].stage, PickStage::kLift);
+
   CollisionWorld held = world;
   held.setGripperWidth(request.part_width);
   held.attach(request.object, request.tcp_from_object);

@@ -49,6 +49,7 @@ CirclePose randomCircle(Random& random, double distance, double tilt) {
 TEST(CirclePose, KnownSolutions) {
   std::ifstream file(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/test/pose/data/circle_pose.txt");
   ASSERT_TRUE(file);
+
   std::string line;
   int circles = 0;
   while (std::getline(file, line)) {
@@ -72,12 +73,14 @@ TEST(CirclePose, KnownSolutions) {
     for (const CirclePose& c : expected)
       EXPECT_LT(std::min(error(found.pose[0], c), error(found.pose[1], c)), 1e-8) << "circle " << circles;
   }
+
   EXPECT_EQ(circles, 20);
 }
 
 TEST(CirclePose, RandomCirclesOffAxis) {
   Random random(11);
   const Camera camera = unevenCamera();
+
   for (int i = 0; i < 5000; ++i) {
     const double radius = uniform(random, 0.005, 0.1), tilt = uniform(random, 5, 80) * M_PI / 180;
     const CirclePose truth = randomCircle(random, uniform(random, 3, 40) * radius, tilt);

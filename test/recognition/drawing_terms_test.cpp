@@ -110,6 +110,7 @@ TEST(Prints, StayWithinTheFaceAndAreToldFromEdgesThatRunThroughIt) {
   const EvidenceTerms printed =
       verified(looked(renderScene(scene, testCamera(), withoutShadows()).grey, testCamera()), model, pose)
           .terms;
+
   EXPECT_LT(plain.print, 0.01);
   EXPECT_GT(printed.print, 0.03);
   EXPECT_LT(printed.through, 0.01);

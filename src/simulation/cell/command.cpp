@@ -50,6 +50,7 @@ std::vector<double> ordered(const std::vector<double>& values, const Order& orde
 std::vector<CellPathPoint> pathOf(const JointCommand& trajectory) {
   const Order order = orderOf(trajectory.joint_names);
   std::vector<CellPathPoint> path;
+
   for (size_t k = 0; k < trajectory.points.size(); ++k) {
     const JointCommand::Point& point = trajectory.points[k];
     CellPathPoint out;

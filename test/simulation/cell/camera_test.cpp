@@ -97,6 +97,7 @@ TEST(CellCamera, FollowsWhatMoves) {
   moveTo(&cell, turned);
   const CellImage after = camera.capture(cell);
   EXPECT_GT(difference(before.base_from_camera, after.base_from_camera).norm(), 0.05);
+
   // A point of the frame appears where the pose and the camera say.
   const Rigid3 camera_from_frame = after.base_from_camera.inverse() * cell.truth()[0].base_from_object;
   int checked = 0;

@@ -98,6 +98,7 @@ TEST(CellScene, YamlIsReadAndBadYamlRefusedByName) {
                         "camera: {distortion: []}}"),
               &options);
   const CellScene cell = makeCellScene(options, partMeshes());
+
   EXPECT_EQ(cell.scene.objects.at(0).name, "flange");
   EXPECT_NEAR(cell.baseFromObject(0).translation.z(), 0.4, 1e-12);
   EXPECT_NEAR(cell.baseFromObject(0).translation.x(), 0.65, 1e-12);

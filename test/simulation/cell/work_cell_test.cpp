@@ -42,6 +42,7 @@ TEST(Cell, HoldsCarriesAndSetsDown) {
   ASSERT_EQ(cell.heldObject(), 0) << eventsOf(cell);
   EXPECT_NEAR(cell.gripperWidth(), 0.040, 1e-5);
   EXPECT_TRUE(cell.gripperStalled());
+
   const Rigid3 tcp_from_object = cell.baseFromTcp().inverse() * cell.truth()[0].base_from_object;
   moveStraight(&cell, kAt, kAbove);
   const Rigid3 zone_above = tableFromTcp(-0.05, 0.33, 0.16, M_PI / 2);
@@ -51,6 +52,7 @@ TEST(Cell, HoldsCarriesAndSetsDown) {
       1e-9);
   EXPECT_TRUE(cell.truth()[0].held);
   EXPECT_FALSE(cell.inDropZone(0));
+
   closeGripper(&cell, 0.08);
   EXPECT_EQ(cell.heldObject(), -1);
   EXPECT_FALSE(cell.truth()[0].falling);
@@ -128,6 +130,7 @@ TEST(Cell, TheHandInTheTableAndInAPartIsRecorded) {
   ASSERT_GE(cell.collisions(), 1);
   EXPECT_EQ(cell.events()[0].second, "table") << eventsOf(cell);
   EXPECT_EQ(cell.events()[0].first.substr(0, 6), "finger");
+
   const int before = cell.collisions();
   moveStraight(&cell, deep, beside);
   Rigid3 through = tableFromTcp(-0.05, 0, 0.05, 0), above = through;
@@ -199,6 +202,7 @@ TEST(Cell, WhatIsTakenAwayIsNotThereAnyMore) {
   EXPECT_TRUE(cell.truth()[0].taken_away);
   EXPECT_EQ(cell.events().back().kind, CellEvent::Kind::kTakenAway);
   EXPECT_TRUE(cell.truth()[1].falling);
+
   cell.advance(1);
   EXPECT_FALSE(cell.truth()[1].falling);
   EXPECT_EQ(cell.events().back().second, "table") << eventsOf(cell);

@@ -223,6 +223,7 @@ TEST(Gloss, MirrorsWhatStandsBefore) {
   post.world_from_object.translation = {0, 0.065, 0};
   scene.world_from_camera = lookFrom(-M_PI / 2, 0.6, 0.4, {0, 0, 0.02});
   const Eigen::Vector3d eye = scene.world_from_camera.translation;
+
   // Where the ray to the mirrored point of the post crosses the mirror.
   const Eigen::Vector3d image(0, 0.055, 0.02 - 0.06);
   const Eigen::Vector3d crossing = eye + (eye.z() - 0.01) / (eye.z() - image.z()) * (image - eye);
@@ -232,6 +233,7 @@ TEST(Gloss, MirrorsWhatStandsBefore) {
     scene.objects = {mirror, post};
     return int(rendered(scene).at<uchar>(pixelOf(scene, p)));
   };
+
   ASSERT_LT(std::abs(crossing.y()), 0.045);
   const Eigen::Vector3d aside = crossing + Eigen::Vector3d(0.04, 0, 0);
   EXPECT_LE(std::abs(grey(0, crossing) - grey(0, aside)), 1);
@@ -373,6 +375,7 @@ TEST(MixedAppearance, HalfOfThePartsStayPlainAndAllKindsAppear) {
       rounded += finish->edge_radius > 0;
     }
   }
+
   EXPECT_NEAR(double(plain) / (plain + finished), 0.5, 0.12);
   EXPECT_GT(printed, finished / 3);
   EXPECT_GT(glossy, finished / 12);

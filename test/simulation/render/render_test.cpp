@@ -141,6 +141,7 @@ TEST(Render, IdsAndDepthAgreeWithProjection) {
       EXPECT_NEAR(image.depth.at<float>(pixel), p.z(), 0.001);
       ++inside;
     }
+
   EXPECT_GT(inside, 100);
   EXPECT_EQ(image.ids.at<short>(2, 2), kTableId);
   Scene empty = scene;

@@ -83,6 +83,7 @@ TEST(PrintPlacing, MarksLieOnTheSurfaceAndFollowTheSeed) {
       ++count;
     }
   }
+
   EXPECT_GT(count, 40);
   Generator random(1);
   EXPECT_FALSE(drawPrints(sphereMesh(0.04), PrintPlan::kMarked, 0.0005, 0.5, &random).empty());

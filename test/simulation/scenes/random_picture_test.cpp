@@ -57,6 +57,7 @@ TEST(RandomPicture, PartsOfAllSizesAppearInUsefulSizes) {
       seen[object.name]++;
     }
   }
+
   EXPECT_GT(min_diameter, 35);
   EXPECT_LT(min_diameter, 80);
   EXPECT_LT(max_diameter, 600);

@@ -74,6 +74,7 @@ TEST(StablePoses, OfABoxAreItsSixFaces) {
     const Eigen::Vector3d centre = pose.table_from_object * Eigen::Vector3d(0, 0, 0.01);
     EXPECT_NEAR(centre.head<2>().norm(), 0, 1e-9);
   }
+
   EXPECT_EQ(heights, (std::multiset<int>{20, 20, 60, 60, 100, 100}));
   EXPECT_NEAR(sum, 1, 1e-12);
   EXPECT_GT(poses.front().weight, 2 * poses.back().weight);  // flat is safer than on end
@@ -123,6 +124,7 @@ TEST(RandomScene, FollowsSeedAndLevel) {
     for (const SceneObject& object : scene.objects) count += object.model >= 0;
     return count;
   };
+
   for (uint32_t seed = 0; seed < 5; ++seed) {
     const Scene easy = randomScene(parts(), seed, SceneLevel::kEasy),
                 hard = randomScene(parts(), seed, SceneLevel::kHard);
@@ -135,6 +137,7 @@ TEST(RandomScene, FollowsSeedAndLevel) {
       EXPECT_EQ(again.objects[k].world_from_object.translation,
                 hard.objects[k].world_from_object.translation);
   }
+
   const Scene one = randomScene(parts(), 1, SceneLevel::kEasy),
               two = randomScene(parts(), 2, SceneLevel::kEasy);
   EXPECT_NE(one.world_from_camera.translation, two.world_from_camera.translation);
@@ -172,6 +175,7 @@ TEST(Truth, ReadsBackWhatItWrote) {
   EXPECT_EQ(read[0].visible_fraction, 0.75);
   EXPECT_EQ(read[0].box_visible, object.box_visible);
   EXPECT_THROW(readTruth(folder + "not_there.json"), BadInput);
+
   std::ofstream(folder + "broken.json") << "{\"objects\": [{\"name\": 3}]}";
   EXPECT_THROW(readTruth(folder + "broken.json"), BadInput);
 }
