@@ -80,7 +80,7 @@ void Canvas::polyline(const std::vector<Eigen::Vector2d>& points, bool closed, c
   const size_t count = points.size();
   if (count < 2) return;
   for (size_t k = 0; k + (closed ? 0 : 1) < count; ++k) {
-    const Eigen::Vector2d p = points[k], q = points[(k + 1) % count];
+    const Eigen::Vector2d &p = points[k], &q = points[(k + 1) % count];
     if (!p.allFinite() || !q.allFinite()) continue;
     // Straight lines are bent by the lens: short steps.
     const int steps = camera_.distorted() ? std::clamp(int((q - p).norm() / 8) + 1, 1, 400) : 1;

@@ -66,7 +66,8 @@ Eigen::Vector3d centreOfMass(const Mesh& mesh, const Points& points) {
 double insideBy(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& p) {
   double min_distance = polygon.size() >= 3 ? 1e300 : -1;
   for (size_t k = 0; k < polygon.size() && polygon.size() >= 3; ++k) {
-    const Eigen::Vector2d a = polygon[k], e = polygon[(k + 1) % polygon.size()] - a;
+    const Eigen::Vector2d& a = polygon[k];
+    const Eigen::Vector2d e = polygon[(k + 1) % polygon.size()] - a;
     min_distance = std::min(min_distance, (e.x() * (p.y() - a.y()) - e.y() * (p.x() - a.x())) / e.norm());
   }
   return min_distance;

@@ -121,7 +121,7 @@ class Reader {
     (*this)(&side);
     s->feature = feature;
     s->silhouette = silhouette != 0;
-    s->inner_side = side;
+    s->inner_side = int(side);
   }
   void operator()(SampledView* v) {
     int32_t view = 0;

@@ -47,8 +47,9 @@ float FastRenderer::samplePixel(int x, int y) const {
     for (int k = 0; k < kFastLanes; ++k) {
       const int sample = first + k;
       const uint32_t bits = mixBits(key, uint32_t(sample));
-      const float s = (float(sample % kAxis) + float(unitInterval(bits))) / kAxis;
-      const float t = (float(sample / kAxis) + float(unitInterval(mixBits(bits)))) / kAxis;
+      const int column = sample % kAxis, row = sample / kAxis;
+      const float s = (float(column) + float(unitInterval(bits))) / kAxis;
+      const float t = (float(row) + float(unitInterval(mixBits(bits)))) / kAxis;
       const Eigen::Vector2f r = ray(x, y, s, t);
       const Eigen::Vector3f d = directions[k] = rayInWorld(r.x(), r.y());
       rays.valid[k] = -1;
@@ -99,8 +100,8 @@ LightShares FastRenderer::borrowedShares(int x, int y, const SurfacePoint& point
     InstanceWorld::Rays rays;
     std::fill(rays.valid, rays.valid + kFastLanes, 0);
     const Eigen::Vector3f p = point.p + kRayLift * point.geometric;
-    const Eigen::Vector2f square((float(sample % kAxis) + 0.5f) / kAxis,
-                                 (float(sample / kAxis) + 0.5f) / kAxis);
+    const int column = sample % kAxis, row = sample / kAxis;
+    const Eigen::Vector2f square((float(column) + 0.5f) / kAxis, (float(row) + 0.5f) / kAxis);
     const Eigen::Vector3f to_light = shading_.toLight(light, p, square);
     rays.valid[0] = -1;
     rays.set(0, p, to_light, 1);

@@ -51,8 +51,8 @@ Eigen::Vector2d PixelSampler::at(int sample, int dimension) const {
   const uint32_t bits = mixBits(key_, uint32_t(dimension));
   const int cell = dimension == 0 ? sample : (stride_ * sample + int(bits % 977)) % count();
   const uint32_t jitter = mixBits(bits, uint32_t(sample));
-  return {(cell % per_axis_ + unitInterval(jitter)) / per_axis_,
-          (cell / per_axis_ + unitInterval(mixBits(jitter, 1))) / per_axis_};
+  const int column = cell % per_axis_, row = cell / per_axis_;
+  return {(column + unitInterval(jitter)) / per_axis_, (row + unitInterval(mixBits(jitter, 1))) / per_axis_};
 }
 
 Shader::Shader(const Scene& scene, const RayWorld& world, const RenderOptions& options)

@@ -224,7 +224,8 @@ void dressTable(Generator* random, const AppearanceScale& scale, Scene* scene) {
     const double step = s * random->uniform(0.07, 0.12);
     const Rigid3 board = lyingAnywhere(random, 0.03 * s);
     for (int k = 0; k < 20; ++k) {
-      const double side = k / 5, along = (k % 5 - 2.5) * step;
+      const int side = k / 5;
+      const double along = (k % 5 - 2.5) * step;
       const Rigid3 turn{expSO3({0, 0, side * M_PI / 2}), {0, 0, 0}},
           place{Eigen::Matrix3d::Identity(), {along, -2.5 * step, 0}};
       finish.prints.push_back(
