@@ -45,7 +45,7 @@ void BM_PumaJacobian(benchmark::State& state) {
 }
 BENCHMARK(BM_PumaJacobian);
 
-/// All postures and turns inside the limits.
+/// All configurations and turns inside the limits.
 void BM_PumaInverse(benchmark::State& state) {
   const Puma560 arm;
   const JointVector current = midRange();
@@ -74,7 +74,7 @@ KDL::Chain kdlChain(const Puma560Options& o) {
   return chain;
 }
 
-/// One posture from the middle of the ranges, limits not looked at.
+/// One configuration from the middle of the ranges, limits not looked at.
 void BM_KdlLma(benchmark::State& state) {
   const Puma560 arm;
   const KDL::Chain chain = kdlChain(arm.options());

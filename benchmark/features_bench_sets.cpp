@@ -53,9 +53,9 @@ cv::Mat sampledPhotograph(const cv::Mat& big, double blur, double noise, Random*
 double farthestCorner(const Corners& corners, Eigen::Vector2d* middle) {
   *middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& c : corners) *middle += c / double(corners.size());
-  double most = 0;
-  for (const Eigen::Vector2d& c : corners) most = std::max(most, (c - *middle).norm());
-  return most;
+  double max_distance = 0;
+  for (const Eigen::Vector2d& c : corners) max_distance = std::max(max_distance, (c - *middle).norm());
+  return max_distance;
 }
 
 PolygonImage polygonImage(double noise, bool exact, Random* random) {

@@ -46,14 +46,16 @@ struct Coverage {
   // Reported over actual standard deviation, the parameter for which it is largest: a normal variable lies
   // within 0.6745 standard deviations half of the time.
   double sharpness() const {
-    double most = 0;
-    for (const std::vector<double>& z : standardised) most = std::max(most, 0.6745 / quantile(z, 0.5));
-    return most;
+    double max_ratio = 0;
+    for (const std::vector<double>& z : standardised)
+      max_ratio = std::max(max_ratio, 0.6745 / quantile(z, 0.5));
+    return max_ratio;
   }
   double sharpest() const {
-    double least = 1e9;
-    for (const std::vector<double>& z : standardised) least = std::min(least, 0.6745 / quantile(z, 0.5));
-    return least;
+    double min_ratio = 1e9;
+    for (const std::vector<double>& z : standardised)
+      min_ratio = std::min(min_ratio, 0.6745 / quantile(z, 0.5));
+    return min_ratio;
   }
   void report(benchmark::State* state, long missed) const {
     const char* names[] = {"within_50", "within_90", "within_99"};

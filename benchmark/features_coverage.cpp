@@ -121,13 +121,13 @@ bool covered(const BenchFeatures& features, const Sample& sample) {
   return false;
 }
 
-// The ellipses and the longest segments, together no more than `most`.
-BenchFeatures longest(BenchFeatures features, size_t most) {
+// The ellipses and the longest segments, together no more than `max_count`.
+BenchFeatures longest(BenchFeatures features, size_t max_count) {
   std::sort(features.segments.begin(), features.segments.end(),
             [](const BenchSegment& a, const BenchSegment& b) { return a.length() > b.length(); });
-  const size_t ellipses = std::min(most, features.ellipses.size());
+  const size_t ellipses = std::min(max_count, features.ellipses.size());
   features.ellipses.resize(ellipses);
-  features.segments.resize(std::min(features.segments.size(), most - ellipses));
+  features.segments.resize(std::min(features.segments.size(), max_count - ellipses));
   return features;
 }
 

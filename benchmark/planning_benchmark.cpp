@@ -95,7 +95,8 @@ void BM_PathsSideBySide(benchmark::State& state) {
 
   std::vector<double> ours, peer, peer_plan, ours_length, peer_length;
   int missed = 0, peer_missed = 0;
-  if (!peerValid(home) || !world.valid(vectorOf(home))) state.SkipWithError("the home posture is not free");
+  if (!peerValid(home) || !world.valid(vectorOf(home)))
+    state.SkipWithError("the home configuration is not free");
   PathOptions options;
   options.resolution = 0.005 * (vectorOf(high) - vectorOf(low)).norm();  // the peer's
   PathTest test = testIn(world);

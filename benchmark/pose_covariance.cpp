@@ -19,8 +19,8 @@
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
+#include "monocular_eye_hand/simulation/scenes/random_scene.h"
 
 namespace {
 

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/arm/load_arm_description.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "arm/urdf_model.h"
@@ -102,12 +104,12 @@ class Loader {
       if (isFinger(i)) throw BadInput("tool0 hangs from a finger");
       if (link.joint < 0) continue;
       if (link.joint != expected)
-        throw BadInput("between base_link and tool0, joint" + std::to_string(link.joint + 1) +
-                       " stands where joint" + std::to_string(expected + 1) + " must be");
+        throw BadInput(fmt::format("between base_link and tool0, joint{} stands where joint{} must be",
+                                   link.joint + 1, expected + 1));
       --expected;
     }
     if (expected >= 0)
-      throw BadInput("joint" + std::to_string(expected + 1) + " is missing between base_link and tool0");
+      throw BadInput(fmt::format("joint{} is missing between base_link and tool0", expected + 1));
   }
 
   bool isFinger(int link) const {
@@ -132,8 +134,7 @@ class Loader {
 
   void readFingers(const std::vector<Rigid3>& poses) {
     if (fingers_.size() != 2)
-      throw BadInput("there are " + std::to_string(fingers_.size()) +
-                     " prismatic joints, the gripper needs two");
+      throw BadInput(fmt::format("there are {} prismatic joints, the gripper needs two", fingers_.size()));
 
     const bool second_mimics = bool(fingers_[1].joint->mimic);
     const Finger& leader = fingers_[second_mimics ? 0 : 1];
@@ -191,12 +192,13 @@ void requireSameArm(const ArmDescription& description, const Puma560& arm) {
   const int tool0 = description.link("tool0");
   for (int k = 0; k < 8; ++k) {
     JointVector q;
-    for (int i = 0; i < 6; ++i) q[i] = 0.37 * (k * (i + 1) % 7);  // away from symmetric postures
+    for (int i = 0; i < 6; ++i) q[i] = 0.37 * (k * (i + 1) % 7);  // away from symmetric configurations
     const Vector6d d = difference(arm.baseFromTool0(q), description.baseFromLinks(q, 0)[size_t(tool0)]);
     if (!(d.cwiseAbs().maxCoeff() < 1e-6))
-      throw BadInput("the URDF's tool0 is " + std::to_string(1e3 * d.head<3>().norm()) + " mm and " +
-                     std::to_string(d.tail<3>().norm()) +
-                     " rad from the arm's; make the lengths of the URDF and the arm's options equal");
+      throw BadInput(
+          fmt::format("the URDF's tool0 is {:.2f} mm and {:.4f} rad from the arm's; make the lengths of the "
+                      "URDF and the arm's options equal",
+                      1e3 * d.head<3>().norm(), d.tail<3>().norm()));
   }
 }
 

@@ -9,10 +9,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// One posture name per bit: shoulder 4, elbow 2, wrist 1.
-const char* const kBranchNames[8] = {"right-up-positive",   "right-up-negative", "right-down-positive",
-                                     "right-down-negative", "left-up-positive",  "left-up-negative",
-                                     "left-down-positive",  "left-down-negative"};
+// One configuration name per bit: shoulder 4, elbow 2, wrist 1.
+const char* const kConfigurationNames[8] = {"right-up-positive",   "right-up-negative", "right-down-positive",
+                                            "right-down-negative", "left-up-positive",  "left-up-negative",
+                                            "left-down-positive",  "left-down-negative"};
 
 struct SineCosine {
   double s, c;
@@ -74,18 +74,19 @@ Rigid3 dhTransform(const DhRow& row, double angle) {
 
 }  // namespace
 
-std::string toString(const Branch& branch) {
-  return kBranchNames[4 * (branch.shoulder == Shoulder::kLeft) + 2 * (branch.elbow == Elbow::kDown) +
-                      (branch.wrist == Wrist::kNegative)];
+std::string toString(const ArmConfiguration& configuration) {
+  return kConfigurationNames[4 * (configuration.shoulder == Shoulder::kLeft) +
+                             2 * (configuration.elbow == Elbow::kDown) +
+                             (configuration.wrist == Wrist::kNegative)];
 }
 
-Branch branchOf(const std::string& name) {
+ArmConfiguration branchOf(const std::string& name) {
   std::string known;
   for (int i = 0; i < 8; ++i) {
-    if (name == kBranchNames[i])
+    if (name == kConfigurationNames[i])
       return {i & 4 ? Shoulder::kLeft : Shoulder::kRight, i & 2 ? Elbow::kDown : Elbow::kUp,
               i & 1 ? Wrist::kNegative : Wrist::kPositive};
-    known += (i ? ", " : "") + std::string(kBranchNames[i]);
+    known += (i ? ", " : "") + std::string(kConfigurationNames[i]);
   }
   throw BadInput("'" + name + "' is no branch of the arm; there are " + known);
 }
@@ -134,7 +135,7 @@ Singularity Puma560::singularity(const JointVector& joints) const {
   return {std::abs(shoulder), std::abs(elbow), std::abs(wrist), options_.a2 * shoulder * elbow * wrist};
 }
 
-Branch Puma560::branch(const JointVector& joints) const {
+ArmConfiguration Puma560::configuration(const JointVector& joints) const {
   const Trunk trunk(joints);
   const bool left = reach(options_, trunk) < 0;
   const double bend = options_.d4 * trunk.q3.c + options_.a3 * trunk.q3.s;

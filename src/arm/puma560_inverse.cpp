@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 // Closed-form inverse after Paul & Zhang, "Computationally efficient kinematics for manipulators with
 // spherical wrists based on the homogeneous transformation representation", Int. J. Robotics Research 5(2),
 // 1986. Sines and cosines are carried along instead of being taken of the angles found, and each angle is
@@ -56,8 +58,10 @@ void requireUsable(const Rigid3& pose, const JointVector& current) {
   const Matrix3d& r = pose.rotation;
   const double off = (r.transpose() * r - Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (off > kRotationTolerance || r.col(0).cross(r.col(1)).dot(r.col(2)) < 0)
-    throw BadInput("inverse kinematics: the pose's rotation matrix is no rotation (R'R differs from I by " +
-                   std::to_string(off) + "); normalise its quaternion first");
+    throw BadInput(
+        fmt::format("inverse kinematics: the pose's rotation matrix is no rotation (R'R differs from I by "
+                    "{:g}); normalise its quaternion first",
+                    off));
 }
 
 class Solver {
@@ -119,7 +123,8 @@ class Solver {
     if (!stretched_) elbow({shoulder, Elbow::kDown}, turns, q1, reach, shoulder == Shoulder::kRight);
   }
 
-  void elbow(Branch branch, const Turns& turns1, const Direction& q1, double reach, int sign) {
+  void elbow(ArmConfiguration configuration, const Turns& turns1, const Direction& q1, double reach,
+             int sign) {
     const Direction q3 = elbows_[sign];
     const Turns turns3(q3.angle(), o_.joints[2]);
     if (turns3.count() == 0) return;
@@ -140,39 +145,39 @@ class Solver {
     forearm << q1.c * c23, -q1.s, -q1.c * s23, q1.s * c23, q1.c, -q1.s * s23, s23, 0, c23;
     joints_[1] = turns2[0];
     joints_[2] = turns3[0];
-    wrist(branch, turns1, forearm.transpose() * rotation_);
+    wrist(configuration, turns1, forearm.transpose() * rotation_);
   }
 
   /// w = Rz(q4) Ry(-q5) Rz(q6).
-  void wrist(Branch branch, const Turns& turns1, const Matrix3d& w) {
+  void wrist(ArmConfiguration configuration, const Turns& turns1, const Matrix3d& w) {
     const double sine5 = std::sqrt(squared(w(0, 2)) + squared(w(1, 2)));
-    if (sine5 <= kStraightWrist) return straightWrist(branch, turns1, w);
+    if (sine5 <= kStraightWrist) return straightWrist(configuration, turns1, w);
     const Direction q4{-w(1, 2) / sine5, -w(0, 2) / sine5};
     // q6 from what q4 leaves over: an error of q4, large when q5 is small, is taken back by q6.
     const Direction q6{q4.c * w(1, 0) - q4.s * w(0, 0), q4.c * w(1, 1) - q4.s * w(0, 1)};
     const double a4 = q4.angle(), a5 = std::atan2(sine5, w(2, 2)), a6 = q6.angle();
-    branch.wrist = Wrist::kPositive;
-    addTurns(branch, turns1, a4, a5, a6);
-    branch.wrist = Wrist::kNegative;
-    addTurns(branch, turns1, a4 + M_PI, -a5, a6 + M_PI);
+    configuration.wrist = Wrist::kPositive;
+    addTurns(configuration, turns1, a4, a5, a6);
+    configuration.wrist = Wrist::kNegative;
+    addTurns(configuration, turns1, a4 + M_PI, -a5, a6 + M_PI);
   }
 
-  void addTurns(const Branch& branch, const Turns& turns1, double a4, double a5, double a6) {
+  void addTurns(const ArmConfiguration& configuration, const Turns& turns1, double a4, double a5, double a6) {
     const Turns turns5(a5, o_.joints[4]);
     if (turns5.count() == 0) return;
     joints_[4] = turns5[0];
     const Turns turns4(a4, o_.joints[3]), turns6(a6, o_.joints[5]);
     for (int i = 0; i < turns4.count(); ++i)
-      for (int j = 0; j < turns6.count(); ++j) add(branch, turns1, turns4[i], turns6[j]);
+      for (int j = 0; j < turns6.count(); ++j) add(configuration, turns1, turns4[i], turns6[j]);
   }
 
   /// q5 is 0 or half a turn: only q4 + q6 or q6 - q4 is defined. Joint 4 moves as little as joint 6 allows.
-  void straightWrist(Branch branch, const Turns& turns1, const Matrix3d& w) {
+  void straightWrist(ArmConfiguration configuration, const Turns& turns1, const Matrix3d& w) {
     const bool forwards = w(2, 2) > 0;
     const Turns turns5(forwards ? 0 : M_PI, o_.joints[4]);
     if (turns5.count() == 0) return;
     joints_[4] = turns5[0];
-    branch.wrist = Wrist::kPositive;
+    configuration.wrist = Wrist::kPositive;
 
     // With q4 = 0, joint 6 does all of it; half a turn of q5 makes Rz(q4) Ry(pi) = Ry(pi) Rz(-q4).
     const double sum = std::atan2(w(1, 0), w(1, 1)), sense = forwards ? 1 : -1;
@@ -187,16 +192,16 @@ class Solver {
       const double total = sum + kTurn * k;
       const double low = std::max(low4, total - limit6.upper), high = std::min(high4, total - limit6.lower);
       const double signed4 = std::min(std::max(sense * current_[3], low), high);
-      add(branch, turns1, sense * signed4, total - signed4);
+      add(configuration, turns1, sense * signed4, total - signed4);
     }
   }
 
-  void add(const Branch& branch, const Turns& turns1, double q4, double q6) {
+  void add(const ArmConfiguration& configuration, const Turns& turns1, double q4, double q6) {
     joints_[3] = q4;
     joints_[5] = q6;
     for (int i = 0; i < turns1.count(); ++i) {
       joints_[0] = turns1[i];
-      out_.add({joints_, branch});
+      out_.add({joints_, configuration});
     }
   }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "monocular_eye_hand/arm/puma560.h"
@@ -19,9 +21,9 @@ void requireLength(double value, const char* field, bool may_be_negative) {
 void JointLimit::check() const {
   require(std::isfinite(lower), "lower", lower, "finite");
   require(std::isfinite(upper), "upper", upper, "finite");
-  require(upper > lower, "upper", upper, "above lower = " + std::to_string(lower));
+  require(upper > lower, "upper", upper, fmt::format("above lower = {:g}", lower));
   require(upper - lower <= 4 * M_PI, "upper", upper,
-          "at most 2 turns above lower = " + std::to_string(lower));
+          fmt::format("at most 2 turns above lower = {:g}", lower));
   require(std::isfinite(velocity) && velocity > 0, "velocity", velocity, "above 0 rad/s");
   require(std::isfinite(acceleration) && acceleration > 0, "acceleration", acceleration, "above 0 rad/s^2");
 }
@@ -46,7 +48,7 @@ void Puma560Options::check() const {
   require(d4 >= 0.01, "d4", d4, "at least 0.01 m");
 
   for (size_t i = 0; i < joints.size(); ++i) {
-    const std::string field = "joints[" + std::to_string(i) + "].";
+    const std::string field = fmt::format("joints[{}].", i);
     try {
       joints[i].check();
     } catch (const BadInput& e) {
@@ -54,7 +56,7 @@ void Puma560Options::check() const {
     }
     const bool one_turn = i == 1 || i == 2 || i == 4;
     require(!one_turn || joints[i].upper - joints[i].lower < 2 * M_PI, field + "upper", joints[i].upper,
-            "less than one turn above lower = " + std::to_string(joints[i].lower));
+            fmt::format("less than one turn above lower = {:g}", joints[i].lower));
   }
 }
 

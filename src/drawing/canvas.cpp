@@ -31,13 +31,13 @@ double foldingRadius(const Camera& camera) {
   double last = 0;
   for (double r = 4; r < reach; r += 4) {
     // The least favourable of eight directions: tangential terms make the lens uneven.
-    double least = 1e9;
+    double min_reach = 1e9;
     for (int k = 0; k < 8; ++k) {
       const Eigen::Vector2d d(std::cos(k * M_PI / 4), std::sin(k * M_PI / 4)), c(camera.cx, camera.cy);
-      least = std::min(least, (camera.distort(c + r * d) - c).dot(d));
+      min_reach = std::min(min_reach, (camera.distort(c + r * d) - c).dot(d));
     }
-    if (least <= last) return r - 4;
-    last = least;
+    if (min_reach <= last) return r - 4;
+    last = min_reach;
   }
   return reach;
 }
@@ -80,7 +80,7 @@ void Canvas::polyline(const std::vector<Eigen::Vector2d>& points, bool closed, c
   const size_t count = points.size();
   if (count < 2) return;
   for (size_t k = 0; k + (closed ? 0 : 1) < count; ++k) {
-    const Eigen::Vector2d p = points[k], q = points[(k + 1) % count];
+    const Eigen::Vector2d &p = points[k], &q = points[(k + 1) % count];
     if (!p.allFinite() || !q.allFinite()) continue;
     // Straight lines are bent by the lens: short steps.
     const int steps = camera_.distorted() ? std::clamp(int((q - p).norm() / 8) + 1, 1, 400) : 1;

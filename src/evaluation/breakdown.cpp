@@ -147,7 +147,7 @@ std::vector<RecallBin> recallBySize(const RunOutcomes& run) {
 }
 
 std::vector<RecallBin> recallByDistance(const RunOutcomes& run) {
-  constexpr int kMostBins = 8;
+  constexpr int kMaxBins = 8;
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
   for (const TruthOutcome& truth : run.truths)
     if (truth.wanted()) {
@@ -157,7 +157,7 @@ std::vector<RecallBin> recallByDistance(const RunOutcomes& run) {
   if (!(farthest >= nearest)) return {};
 
   // One bin less than allowed: the first one begins at a round number below the nearest.
-  const double step = roundStep(std::max((farthest - nearest) / (kMostBins - 1), 0.01));
+  const double step = roundStep(std::max((farthest - nearest) / (kMaxBins - 1), 0.01));
   std::vector<double> edges{std::floor(nearest / step) * step};
   while (edges.back() <= farthest) edges.push_back(edges.front() + double(edges.size()) * step);
   std::vector<RecallBin> bins = emptyBins(edges);

@@ -10,7 +10,7 @@ namespace {
 // A hypothesis need not be right, it must lie where alignment leads to the right pose. That is the farther
 // off the larger the object is: hypotheses of one view, place, distance and rotation are taken as one
 // although they differ by up to this share of the object's image. In rendered scenes all that the search
-// found had one so near.
+// found had one as near.
 constexpr double kCoarselyNear = 0.15;
 
 }  // namespace

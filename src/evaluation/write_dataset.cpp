@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 constexpr double kMillimetresPerMetre = 1e3;
-constexpr double kLeastVisible = 0.1;  // of an instance that a target asks for (BOP'19)
+constexpr double kMinTargetVisible = 0.1;  // of an instance that a target asks for (BOP'19)
 
 std::string sixDigits(int number) { return fmt::format("{:06}", number); }
 
@@ -171,7 +171,7 @@ std::vector<BopTarget> targetsOf(int scene, const std::vector<WrittenImage>& ima
   for (const WrittenImage& image : images) {
     std::map<int, int> counts;
     for (const WrittenTruth& object : image.truth)
-      if (object.truth.visible >= kLeastVisible) ++counts[object.truth.object];
+      if (object.truth.visible >= kMinTargetVisible) ++counts[object.truth.object];
     for (const auto& count : counts) targets.push_back({scene, image.id, count.first, count.second});
   }
   return targets;

@@ -4,7 +4,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kThere = 1e-3;  // joints so near to the goal need no motion [rad]
+constexpr double kThere = 1e-3;  // joints within this of the goal need no motion [rad]
 
 bool isThere(const MoveRequest& request) {
   return !request.joints.empty() && (request.joints[0] - request.start).cwiseAbs().maxCoeff() <= kThere;

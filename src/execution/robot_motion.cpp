@@ -16,8 +16,8 @@ constexpr double kLongestStop = 2;   // in time-outs of the wall clock, when the
 constexpr double kStalledFor = 1.0;  // fingers that begin to open may still be said to be stalled [s]
 constexpr double kLater = 1e-6;      // a state so much younger than another one is a new one [s]
 
-std::string missingInput(const std::string& source, bool told, double since, double longest) {
-  if (!told) return "no " + source + " yet: does the driver of the arm run?";
+std::string missingInput(const std::string& source, bool received, double since, double longest) {
+  if (!received) return "no " + source + " yet: does the driver of the arm run?";
   if (since <= longest) return "";
   return fmt::format("{} is silent for {:.3g} s", source, since);
 }
@@ -78,8 +78,8 @@ std::string RobotMotion::stop() {
 
   while (robot_.connected()) {
     state = robot_.state();
-    const bool told = state.joints && state.joints->stamp >= from;
-    if (told && state.joints->speed <= options_.follow.stand_speed) return "";
+    const bool received = state.joints && state.joints->stamp >= from;
+    if (received && state.joints->speed <= options_.follow.stand_speed) return "";
     // Whoever cancels while the clock stands, or ends the program, does not wait for ever.
     const double wall = robot_.wallClock() - begin.wall;
     if (robot_.since(begin) > options_.stop_timeout || wall > kLongestStop * options_.stop_timeout) break;

@@ -38,12 +38,12 @@ TrajectoryMonitor::State TrajectoryMonitor::fail(const std::string& reason) {
 void TrajectoryMonitor::advance(double stamp, const JointVector& joints) {
   const double latest = std::min(trajectory_.duration(), stamp - start_ + kAhead);
   const auto off = [&](double t) { return (trajectory_.sample(t).position - joints).squaredNorm(); };
-  double best = at_, least = off(at_);
+  double best = at_, min_off = off(at_);
   for (double t = at_ + kStep; t < latest + kStep; t += kStep) {
     const double at = std::min(t, latest);
-    if (off(at) < least) {
+    if (off(at) < min_off) {
       best = at;
-      least = off(at);
+      min_off = off(at);
     }
   }
   at_ = std::max(at_, best);

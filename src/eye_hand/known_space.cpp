@@ -11,8 +11,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kMostSamples = 1000;  // of a box
-constexpr double kMostShrunk = 0.7;    // share of a box's half sides that a tolerance takes at most
+constexpr double kMaxSamples = 1000;  // of a box
+constexpr double kMaxShrunk = 0.7;    // share of a box's half sides that a tolerance takes at most
 
 /// Sigma of the height of a point of the object: a small turn lifts it by its lever arm.
 double sigmaOfHeight(const Eigen::Vector3d& offset, const Matrix6d& covariance) {
@@ -37,7 +37,7 @@ std::string belowTable(const ObjectModel& model, const Rigid3& base_from_object,
 
 /// Points of a regular grid in a box around the origin.
 std::vector<Eigen::Vector3d> gridPoints(const Eigen::Vector3d& half_size, double step) {
-  const double cell = std::max(step, std::cbrt(8 * half_size.prod() / kMostSamples));
+  const double cell = std::max(step, std::cbrt(8 * half_size.prod() / kMaxSamples));
   const Eigen::Array3i cells = (2 * half_size / cell).array().ceil().max(1).cast<int>();
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < cells[0]; ++i)
@@ -56,7 +56,7 @@ bool reachesInto(const KnownBox& box, const ObjectModel& model, const std::vecto
   if (apart > (box.size.norm() + model.bounds.diagonal().norm()) / 2) return false;
 
   const Eigen::Vector3d half = box.size / 2;
-  const Eigen::Vector3d shrunk = half - (kMostShrunk * half).cwiseMin(margin);
+  const Eigen::Vector3d shrunk = half - (kMaxShrunk * half).cwiseMin(margin);
   const auto inside = [&](const Eigen::Vector3d& p_in_object) {
     return ((box_from_object * p_in_object).cwiseAbs().array() < shrunk.array()).all();
   };

@@ -275,7 +275,7 @@ ViewDecision ObjectMap::update(Track* track, const Observation& seen, double chi
   track->merged.probability = std::max(track->merged.probability, seen.probability);
 
   // So many places say all that views can say: what is left is common to them.
-  const bool same_camera = int(track->base_from_cameras.size()) >= options_.most_views ||
+  const bool same_camera = int(track->base_from_cameras.size()) >= options_.max_views ||
                            oneOf(track->base_from_cameras, seen.base_from_camera);
 
   if (same_camera) {
@@ -424,7 +424,7 @@ bool ObjectMap::expected(const Track& track, const ObjectView& view) const {
 bool ObjectMap::oneOf(const std::vector<Rigid3>& base_from_cameras, const Rigid3& base_from_camera) const {
   return std::any_of(base_from_cameras.begin(), base_from_cameras.end(), [&](const Rigid3& other) {
     return (other.translation - base_from_camera.translation).norm() <= options_.min_motion &&
-           angleBetween(other.rotation, base_from_camera.rotation) <= options_.min_turn;
+           angleBetween(other.rotation, base_from_camera.rotation) <= options_.min_rotation;
   });
 }
 

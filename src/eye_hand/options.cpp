@@ -21,8 +21,8 @@ void ObjectMapOptions::check() const {
 
   require(outliers_to_restart >= 1, "outliers_to_restart", outliers_to_restart, "1 or more");
   requireNotNegative("min_motion", min_motion);
-  requireNotNegative("min_turn", min_turn);
-  require(most_views >= 1, "most_views", most_views, "1 or more");
+  requireNotNegative("min_rotation", min_rotation);
+  require(max_views >= 1, "max_views", max_views, "1 or more");
   requirePositive("overlap_depth", overlap_depth);
   requireNotNegative("known_depth", known_depth);
   requireNotNegative("known_sigmas", known_sigmas);

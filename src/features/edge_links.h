@@ -41,14 +41,14 @@ struct PairLink {
   float cost = EdgeLinks::kNone;
 };
 inline PairLink linkOf(const EdgePoint& p, const EdgePoint& q) {
-  constexpr float kLeastStep = 0.2f, kLeastCosine = 0.3f, kAsideWeight = 1.5f;
+  constexpr float kMinStep = 0.2f, kMinCosine = 0.3f, kAsideWeight = 1.5f;
   const float dx = q.uv.x() - p.uv.x(), dy = q.uv.y() - p.uv.y();
   const float px = p.normal.x(), py = p.normal.y(), qx = q.normal.x(), qy = q.normal.y();
   const float forward_p = px * dy - py * dx, forward_q = qx * dy - qy * dx;
   // Which holds cannot be foreseen: everything is computed, nothing branches.
-  const int after = int(forward_p >= kLeastStep) & int(forward_q >= kLeastStep);
-  const int before = int(forward_p <= -kLeastStep) & int(forward_q <= -kLeastStep);
-  const int alike = int(px * qx + py * qy >= kLeastCosine);
+  const int after = int(forward_p >= kMinStep) & int(forward_q >= kMinStep);
+  const int before = int(forward_p <= -kMinStep) & int(forward_q <= -kMinStep);
+  const int alike = int(px * qx + py * qy >= kMinCosine);
   const float aside = std::fabs(px * dx + py * dy) + std::fabs(qx * dx + qy * dy);
   return {(after - before) * alike, std::sqrt(dx * dx + dy * dy) + kAsideWeight * aside};
 }

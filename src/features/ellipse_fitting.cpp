@@ -78,8 +78,8 @@ bool hopeless(const EllipseFit& fit, const FitGoal& goal, double gain) {
   return left > goal.chi2 || fit.rms * fit.rms * left > goal.rms * goal.rms * fit.chi2;
 }
 
-constexpr double kSettledGain = 1e-2;  // of chi2: a step of a tenth of the standard deviation
-constexpr double kFirstReach = 0.3, kLeastReach = 1e-3;  // of a step, in shares of the minor axis
+constexpr double kSettledGain = 1e-2;                  // of chi2: a step of a tenth of the standard deviation
+constexpr double kFirstReach = 0.3, kMinReach = 1e-3;  // of a step, in shares of the minor axis
 
 // A circle has no angle: keep it where it is instead of dividing by nothing, as if the angle were known to
 // one radian.
@@ -185,7 +185,7 @@ EllipseFit refineEllipse(const FitPoints& points, const Ellipse& start, int iter
       if (it > 0) reach = std::min(kFirstReach, 2 * reach);
     } else {
       reach = 0.25 * std::min(reach, lengthOf(step, fit.ellipse));
-      if (reach < kLeastReach) break;
+      if (reach < kMinReach) break;
     }
     if (it < iterations && !moved(fit.ellipse, step, reach, &trial)) return fit;
   }

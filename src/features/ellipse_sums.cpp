@@ -47,7 +47,7 @@ MONOCULAR_EYE_HAND_INLINE void fillBlock(const double* x, const double* y, const
   const double ia = 1 / (e.a * e.a), ib = 1 / (e.b * e.b), inverse_a = 1 / e.a, inverse_b = 1 / e.b;
   const double a2 = e.a * e.a, b2 = e.b * e.b, ab = e.a * e.b;
   const double tukey = 1 / (kTukey * kTukey * robust_scale * robust_scale);
-  const double most = 9 * robust_scale * robust_scale;
+  const double max_chi2 = 9 * robust_scale * robust_scale;
 
   for (int i = 0; i < n; ++i) {
     const double du = x[i] - e.u, dv = y[i] - e.v;
@@ -87,7 +87,7 @@ MONOCULAR_EYE_HAND_INLINE void fillBlock(const double* x, const double* y, const
     block->weighted[3][i] = robust * j3;
     block->weighted[4][i] = robust * j4;
     block->residual[i] = r;
-    block->cost[i] = std::min(chi2, most);
+    block->cost[i] = std::min(chi2, max_chi2);
   }
 }
 

@@ -15,11 +15,11 @@ class NoiseTest {
   NoiseTest(const EdgeMap& edges)
       : scale_(float(0.5 / (edges.gradient_noise * edges.gradient_noise * edges.correlation_length))),
         needed_(float(2 * std::log(double(edges.rows) * edges.cols))) {}
-  void add(float gradient) { evidence_ += std::min(scale_ * gradient * gradient, kMost); }
+  void add(float gradient) { evidence_ += std::min(scale_ * gradient * gradient, kMaxEvidence); }
   bool passed() const { return evidence_ >= needed_; }
 
  private:
-  static constexpr float kMost = 6;  // so that a few strong points do not carry a weak trace
+  static constexpr float kMaxEvidence = 6;  // so that a few strong points do not carry a weak trace
   float scale_, needed_, evidence_ = 0;
 };
 

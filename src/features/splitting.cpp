@@ -14,16 +14,16 @@ std::pair<int, double> farthest(const std::vector<EdgePoint>& points, int begin,
   const Eigen::Vector2f n =
       point_like ? Eigen::Vector2f(0, 0) : Eigen::Vector2f(-chord.y(), chord.x()) / length;
   int best = begin;
-  float most = -1;
+  float max_distance = -1;
   for (int i = begin + 1; i < last; ++i) {
     const Eigen::Vector2f d = points[i].uv - a;
     const float distance = point_like ? d.norm() : std::fabs(n.dot(d));
-    if (distance > most) {
-      most = distance;
+    if (distance > max_distance) {
+      max_distance = distance;
       best = i;
     }
   }
-  return {best, most};
+  return {best, max_distance};
 }
 
 // Of about 32 points of a run.
@@ -39,11 +39,11 @@ double meanSigma(const std::vector<EdgePoint>& points, PointRange range) {
 int bestBreak(const LineSums& sums, int begin, int b, int end) {
   constexpr int kReach = 5, kShortest = 3;
   int best = b;
-  double least = sums.chi2(begin, b) + sums.chi2(b, end);
+  double min_cost = sums.chi2(begin, b) + sums.chi2(b, end);
   for (int k = std::max(begin + kShortest, b - kReach); k <= std::min(end - kShortest, b + kReach); ++k) {
     const double cost = sums.chi2(begin, k) + sums.chi2(k, end);
-    if (cost < least) {
-      least = cost;
+    if (cost < min_cost) {
+      min_cost = cost;
       best = k;
     }
   }
@@ -100,14 +100,14 @@ namespace {
 // Largest mean distance of four neighbouring points from a line: a hook shows, a single stray point does not.
 double largestRunDistance(const std::vector<EdgePoint>& points, const LineFit& line, int from, int to) {
   constexpr int kRun = 4;
-  double most = 0;
+  double max_distance = 0;
   for (int k = from; k < to; k += kRun) {
     const int end = std::min(to, k + kRun);
     double sum = 0;
     for (int i = k; i < end; ++i) sum += line.distance(points[i]);
-    if (end - k >= 2) most = std::max(most, std::fabs(sum) / (end - k));
+    if (end - k >= 2) max_distance = std::max(max_distance, std::fabs(sum) / (end - k));
   }
-  return most;
+  return max_distance;
 }
 
 }  // namespace
@@ -130,9 +130,9 @@ void PolygonSplitter::merge(const std::vector<EdgePoint>& points, const LineSums
     const double rise = (together - apart) / excess;
     if (!(rise < break_cost || together < kUnseenRms2 * sums.weight(begin, end))) return kNever;
     const bool first_shorter = middle - begin < end - middle;
-    const double most = largestRunDistance(points, sums.fit(begin, end), first_shorter ? begin : middle,
-                                           first_shorter ? middle : end);
-    return most > tolerance ? kNever : std::max(0.0, 1e6 - rise);
+    const double max_distance = largestRunDistance(
+        points, sums.fit(begin, end), first_shorter ? begin : middle, first_shorter ? middle : end);
+    return max_distance > tolerance ? kNever : std::max(0.0, 1e6 - rise);
   };
 
   gains_.assign(breaks->size(), kNever);

@@ -237,8 +237,8 @@ Eigen::Matrix3d Camera::intrinsics() const {
 }
 
 Camera Camera::resized(double factor) const {
-  const double least = 0.5 / std::min(width, height), most = 1e5 / std::max(width, height);
-  if (!(factor >= least && factor <= most))
+  const double min_factor = 0.5 / std::min(width, height), max_factor = 1e5 / std::max(width, height);
+  if (!(factor >= min_factor && factor <= max_factor))
     refuse("resize factor", factor, "leaves no image, or one too large");
   Camera c = *this;
   c.width = int(std::lround(width * factor));
@@ -286,6 +286,7 @@ void Camera::check() const {
                          "and its image size",
                          width));
   }
+
   if (!(cx > 0 && cx < width)) refuse("cx", cx, "px lies outside the image: check the calibration");
   if (!(cy > 0 && cy < height)) refuse("cy", cy, "px lies outside the image: check the calibration");
   const char* names[] = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};

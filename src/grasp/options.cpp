@@ -38,13 +38,14 @@ void GripperOptions::check() const {
 void GraspSamplingOptions::check() const {
   requirePositive("step", step);
   require(directions >= 1 && directions <= 360, "directions", directions, "1 to 360");
-  require(parallel > 0 && parallel < 0.5, "parallel", parallel, "above 0 and below 0.5");
+  require(max_face_angle > 0 && max_face_angle < 0.5, "max_face_angle", max_face_angle,
+          "above 0 and below 0.5");
   requireShare("min_contact", min_contact);
   requireNotNegative("margin", margin);
   requireNotNegative("approach", approach);
   requireShare("lever_weight", lever_weight);
   require(per_direction >= 1, "per_direction", per_direction, "1 or more");
-  require(most >= 1, "most", most, "1 or more");
+  require(max_grasps >= 1, "max_grasps", max_grasps, "1 or more");
 }
 
 void GraspPlanOptions::check() const {
@@ -58,9 +59,9 @@ void GraspPlanOptions::check() const {
   requireNotNegative("obstacle_clearance", obstacle_clearance);
   require(min_wrist >= 0 && min_wrist < 1, "min_wrist", min_wrist, "0 or more and below 1");
   requirePositive("max_joint_step", max_joint_step);
-  require(turns >= 1 && turns <= 360, "turns", turns, "1 to 360");
-  require(branches >= 1 && branches <= 8, "branches", branches, "1 to 8");
-  require(most >= 1, "most", most, "1 or more");
+  require(rotation_steps >= 1 && rotation_steps <= 360, "rotation_steps", rotation_steps, "1 to 360");
+  require(configurations >= 1 && configurations <= 8, "configurations", configurations, "1 to 8");
+  require(max_candidates >= 1, "max_candidates", max_candidates, "1 or more");
 }
 
 std::string toString(GraspRefusal refusal) {

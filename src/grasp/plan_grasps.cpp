@@ -9,11 +9,11 @@
 
 #include "boxes.h"
 #include "clearance.h"
+#include "configurations.h"
 #include "monocular_eye_hand/geometry/covariance.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/model/free_turns.h"
-#include "postures.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -22,16 +22,16 @@ constexpr int kRules = int(GraspRefusal::kSingular) + 1;
 
 std::string rounded(double value) { return fmt::format("{:g}", std::round(10 * value) / 10); }
 
-/// The motions that leave the object as it is: discrete ones, times turns about a free axis.
-std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int turns) {
+/// The motions that leave the object as it is: discrete ones, times `steps` rotations about a free axis.
+std::vector<Rigid3> symmetricCopies(const ObjectModel& model, int steps) {
   std::vector<Rigid3> copies;
   for (const Rigid3& s : model.symmetries.discrete) {
     if (!model.symmetries.axis) {
       copies.push_back(s);
       continue;
     }
-    for (int k = 0; k < turns; ++k)
-      copies.push_back(rotationAbout(*model.symmetries.axis, 2 * M_PI * k / turns) * s);
+    for (int k = 0; k < steps; ++k)
+      copies.push_back(rotationAbout(*model.symmetries.axis, 2 * M_PI * k / steps) * s);
   }
   return copies;
 }
@@ -56,7 +56,7 @@ class Planner {
   void tryAll(const ModelGrasps& grasps) {
     Rigid3 half_turn;  // the gripper is the same turned by half about z
     half_turn.rotation.diagonal() << -1, -1, 1;
-    const std::vector<Rigid3> copies = symmetricCopies(*object_.model, options_.turns);
+    const std::vector<Rigid3> copies = symmetricCopies(*object_.model, options_.rotation_steps);
     for (size_t k = 0; k < grasps.grasps.size(); ++k) {
       for (const Rigid3& copy : copies) {
         const Rigid3 object_from_tcp = copy * grasps.grasps[k].object_from_tcp;
@@ -92,18 +92,19 @@ class Planner {
     c.base_from_pregrasp = c.base_from_lift = c.base_from_grasp;
     c.base_from_pregrasp.translation -= options_.approach_distance * c.approach;
     c.base_from_lift.translation.z() += options_.lift_distance;
-    const Postures postures =
-        findPostures(arm_, c.base_from_pregrasp * tcp_from_tool0_, c.base_from_grasp * tcp_from_tool0_,
-                     c.base_from_lift * tcp_from_tool0_, current_, options_);
-    if (postures.postures.empty()) return refuse(postures.refusal, 0, postures.reason);
+    const GraspConfigurations configurations =
+        findConfigurations(arm_, c.base_from_pregrasp * tcp_from_tool0_, c.base_from_grasp * tcp_from_tool0_,
+                           c.base_from_lift * tcp_from_tool0_, current_, options_);
+    if (configurations.configurations.empty())
+      return refuse(configurations.refusal, 0, configurations.reason);
 
     // Room counts until there is as much again as is needed.
     const double room = std::min(1.0, c.free / std::max(1e-9, 2 * c.needed));
     // Closing along the table the pads slide the part to their middle; across it the table holds it off.
     const double centring = 1 - std::abs(c.base_from_grasp.rotation.col(1).z());
-    for (size_t k = 0; k < postures.postures.size() && int(k) < options_.branches; ++k) {
-      const Posture& p = postures.postures[k];
-      c.branch = p.branch;
+    for (size_t k = 0; k < configurations.configurations.size() && int(k) < options_.configurations; ++k) {
+      const GraspConfiguration& p = configurations.configurations[k];
+      c.branch = p.configuration;
       c.pregrasp_joints = p.pregrasp;
       c.grasp_joints = p.grasp;
       c.lift_joints = p.lift;
@@ -118,7 +119,7 @@ class Planner {
       return a.quality > b.quality;
     };
     std::stable_sort(candidates_.begin(), candidates_.end(), better);
-    plan.candidates = variedFirst(candidates_, options_.most);
+    plan.candidates = variedFirst(candidates_, options_.max_candidates);
     std::stable_sort(plan.candidates.begin(), plan.candidates.end(), better);
 
     int all = 0;

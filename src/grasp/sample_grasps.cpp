@@ -70,7 +70,7 @@ std::vector<Site> facePairs(const ObjectModel& model, const GripperOptions& grip
     for (size_t b = a + 1; b < model.surfaces.size(); ++b) {
       const Surface &first = model.surfaces[a], &second = model.surfaces[b];
       if (first.kind != Surface::Kind::kPlane || second.kind != Surface::Kind::kPlane) continue;
-      if (first.axis.dot(second.axis) > -std::cos(options.parallel)) continue;
+      if (first.axis.dot(second.axis) > -std::cos(options.max_face_angle)) continue;
       const Eigen::Vector3d n = first.axis;
       const double width = n.dot(first.point - second.point);  // negative: they face each other
       if (width < std::max(gripper.opening_min, 2 * gripper.compliance) ||
@@ -257,7 +257,7 @@ ModelGrasps sampleGrasps(const ObjectModel& model, const GripperOptions& gripper
     keepBest(std::move(of_site), gripper, options, &result.grasps);
   }
   std::stable_sort(result.grasps.begin(), result.grasps.end(), better);
-  result.grasps = distinct(result.grasps, model, size_t(options.most));
+  result.grasps = distinct(result.grasps, model, size_t(options.max_grasps));
   if (result.grasps.empty()) {
     result.reason = model.name + ": ";
     if (sites.empty())
@@ -300,10 +300,10 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
       continue;
     }
 
-    for (int turn = 0; turn < given.turns; ++turn) {
+    for (int step = 0; step < given.rotation_steps; ++step) {
       ModelGrasp grasp;
       grasp.object_from_tcp =
-          rotationAbout(given.axis, 2 * M_PI * turn / given.turns) * given.object_from_tcp;
+          rotationAbout(given.axis, 2 * M_PI * step / given.rotation_steps) * given.object_from_tcp;
       grasp.width = given.width;
       grasp.source = source;
       std::string fault;
@@ -315,7 +315,7 @@ ModelGrasps graspsOf(const KnownObject& object, const GripperOptions& gripper,
         result.grasps.push_back(grasp);
       } else {
         result.reason += fmt::format("{}{}, turn {}: {}", result.reason.empty() ? model.name + ": " : "; ",
-                                     source, turn, fault);
+                                     source, step, fault);
       }
     }
   }

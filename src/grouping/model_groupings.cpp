@@ -13,7 +13,7 @@ constexpr double kWholeEdge = 0.7;
 // An ellipse can be found from this share of a circle: of a cylinder's lower rim one sees half.
 constexpr double kWholeCircle = 0.4;
 // Groupings kept per kind: the most telling.
-constexpr size_t kMostKept = 500;
+constexpr size_t kMaxKept = 500;
 
 /// Which features each view of the nearest distance shows as a whole, and how much of the view sphere it
 /// stands for.
@@ -55,8 +55,8 @@ Visibility visibilityOf(const KnownObject& object) {
     std::vector<int> count(model.featureCount(), 0);
     for (const ContourSample& s : view.contour) ++count[s.feature];
     for (int g = 0; g < model.featureCount(); ++g) {
-      const double least = g < int(model.edges.size()) ? kWholeEdge : kWholeCircle;
-      shows[g] = count[g] > 0 && count[g] >= least * whole[g];
+      const double min_share = g < int(model.edges.size()) ? kWholeEdge : kWholeCircle;
+      shows[g] = count[g] > 0 && count[g] >= min_share * whole[g];
     }
     v.shows.push_back(std::move(shows));
 
@@ -109,7 +109,7 @@ std::vector<ModelGrouping> mostTelling(const ObjectModel& model, const std::vect
   std::vector<ModelGrouping> kept;
   for (std::vector<std::pair<double, size_t>>& kind : ranked) {
     std::sort(kind.begin(), kind.end());
-    if (kind.size() > kMostKept) kind.resize(kMostKept);
+    if (kind.size() > kMaxKept) kind.resize(kMaxKept);
     for (const auto& [rank, i] : kind) kept.push_back(all[i]);
   }
   return kept;

@@ -11,9 +11,9 @@ constexpr double kSamePoint = 1e-4;     // of the diameter
 constexpr double kSmallestBend = 0.17;  // [rad] flatter meetings look like one line
 constexpr double kFlat = 0.02;          // sine up to which directions count as in one plane or parallel
 constexpr double kCoaxial = 0.01;       // of the diameter: largest distance between the axes of a circle pair
-constexpr double kLeastOverlap = 0.3;   // of the shorter edge, of parallel edges
+constexpr double kMinOverlap = 0.3;     // of the shorter edge, of parallel edges
 // Largest number of structural groupings of one kind: bounds the work on CAD files with thousands of edges.
-constexpr size_t kMostPerKind = 20000;
+constexpr size_t kMaxPerKind = 20000;
 
 using Groupings = std::vector<ModelGrouping>;
 
@@ -31,7 +31,7 @@ Groupings edges(const EdgeGraph& g) {
 
 Groupings junctions(const EdgeGraph& g) {
   Groupings result;
-  for (size_t p = 0; p < g.points.size() && result.size() < kMostPerKind; ++p)
+  for (size_t p = 0; p < g.points.size() && result.size() < kMaxPerKind; ++p)
     for (int a : g.ends_at[p])
       for (int b : g.ends_at[p]) {
         if (b <= a || !g.bends(a, b)) continue;
@@ -82,7 +82,7 @@ Groupings triplets(const EdgeGraph& g) {
     const std::vector<int>& at = g.ends_at[p];
     for (size_t i = 0; i < at.size(); ++i)
       for (size_t j = i + 1; j < at.size(); ++j)
-        for (size_t k = j + 1; k < at.size() && result.size() < kMostPerKind; ++k) {
+        for (size_t k = j + 1; k < at.size() && result.size() < kMaxPerKind; ++k) {
           std::array<int, 3> ends{at[i], at[j], at[k]};
           // Three directions in one plane fix no pose as a corner; two in line look like an edge with a stem.
           if (!g.bends(ends[0], ends[1]) || !g.bends(ends[1], ends[2]) || !g.bends(ends[0], ends[2]))
@@ -115,7 +115,7 @@ GroupingShape chainShape(const std::vector<Eigen::Vector3d>& p) {
 
 Groupings chains(const EdgeGraph& g) {
   Groupings result;
-  for (int e = 0; e < int(g.model.edges.size()) && result.size() < kMostPerKind; ++e)
+  for (int e = 0; e < int(g.model.edges.size()) && result.size() < kMaxPerKind; ++e)
     for (int a : g.ends_at[g.point_of_end[2 * e]])
       for (int b : g.ends_at[g.point_of_end[2 * e + 1]]) {
         if (a / 2 == e || b / 2 == e || a / 2 == b / 2) continue;
@@ -202,7 +202,7 @@ void addQuad(const EdgeGraph& g, const std::array<int, 4>& leaving, Groupings* o
 
 Groupings quads(const EdgeGraph& g) {
   Groupings result;
-  for (int e = 0; e < int(g.model.edges.size()) && result.size() < kMostPerKind; ++e) {
+  for (int e = 0; e < int(g.model.edges.size()) && result.size() < kMaxPerKind; ++e) {
     const int start = g.point_of_end[2 * e];
     for (int b : g.ends_at[g.point_of_end[2 * e + 1]]) {
       if (b / 2 <= e) continue;
@@ -226,13 +226,13 @@ bool sideBySide(const EdgeGraph& g, int a, int b, bool* same_sense) {
   const auto along = [&](int end) { return da.dot(g.at(end) - g.at(2 * a)); };
   const double length_a = along(2 * a + 1), b0 = along(2 * b), b1 = along(2 * b + 1);
   const double overlap = std::min(length_a, std::max(b0, b1)) - std::max(0.0, std::min(b0, b1));
-  return overlap > kLeastOverlap * std::min(length_a, std::abs(b1 - b0));
+  return overlap > kMinOverlap * std::min(length_a, std::abs(b1 - b0));
 }
 
 Groupings parallelPairs(const EdgeGraph& g) {
   Groupings result;
   const int count = int(g.model.edges.size());
-  for (int a = 0; a < count && result.size() < kMostPerKind; ++a)
+  for (int a = 0; a < count && result.size() < kMaxPerKind; ++a)
     for (int b = a + 1; b < count; ++b) {
       bool same = true;
       if (!sideBySide(g, a, b, &same)) continue;
@@ -260,7 +260,7 @@ Groupings circleGroupings(const EdgeGraph& g) {
     single.push_back(m);
 
     m.kind = GroupingKind::kEllipsePair;
-    for (int b = a + 1; b < circles && pair.size() < kMostPerKind; ++b) {
+    for (int b = a + 1; b < circles && pair.size() < kMaxPerKind; ++b) {
       if (!coaxial(g.model, g.model.circles[a], g.model.circles[b])) continue;
       m.circles = {a, b};
       pair.push_back(m);
@@ -268,7 +268,7 @@ Groupings circleGroupings(const EdgeGraph& g) {
 
     m.kind = GroupingKind::kEllipseLine;
     m.circles = {a};
-    for (int e = 0; e < int(g.model.edges.size()) && line.size() < kMostPerKind; ++e) {
+    for (int e = 0; e < int(g.model.edges.size()) && line.size() < kMaxPerKind; ++e) {
       m.edges = {e};
       m.points = {g.at(2 * e), g.at(2 * e + 1)};
       line.push_back(m);

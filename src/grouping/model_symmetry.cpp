@@ -15,11 +15,11 @@ constexpr double kCopyTolerance = 0.01;
 template <class Distance>
 int nearest(int count, double tolerance, const Distance& distance) {
   int best = -1;
-  double least = tolerance;
+  double min_distance = tolerance;
   for (int i = 0; i < count; ++i) {
     const double d = distance(i);
-    if (d <= least) {
-      least = d;
+    if (d <= min_distance) {
+      min_distance = d;
       best = i;
     }
   }

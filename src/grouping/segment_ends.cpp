@@ -93,9 +93,9 @@ void findMeetings(const ImageContext& c, EndMap* map) {
 
   // The nearest count: a bundle of lines through one point would otherwise pair each with each.
   std::sort(going_on.begin(), going_on.end());
-  const size_t most = size_t(c.options.max_corners_per_end);
+  const size_t max_corners = size_t(c.options.max_corners_per_end);
   for (const auto& [gap, a, b] : going_on) {
-    if (map->continued_by[a].size() >= most || map->continued_by[b].size() >= most) continue;
+    if (map->continued_by[a].size() >= max_corners || map->continued_by[b].size() >= max_corners) continue;
     map->continued_by[a].push_back(b);
     map->continued_by[b].push_back(a);
   }

@@ -13,8 +13,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kMaxListDepth = 4;      // levels of lists inside a field
-constexpr size_t kMostNumbers = 100;  // of one field
+constexpr int kMaxListDepth = 4;     // levels of lists inside a field
+constexpr size_t kMaxNumbers = 100;  // of one field
 
 std::string simplified(const std::string& name) {
   std::string out;
@@ -47,7 +47,7 @@ double parsed(const std::string& word, const std::string& field) {
 
 void collect(const YAML::Node& node, const std::string& field, int depth, std::vector<double>* out) {
   if (node.IsScalar()) {
-    if (out->size() >= kMostNumbers) throw BadInput("'" + field + "' holds more than 100 numbers");
+    if (out->size() >= kMaxNumbers) throw BadInput("'" + field + "' holds more than 100 numbers");
     out->push_back(parsed(node.Scalar(), field));
   } else if (node.IsSequence() && depth < kMaxListDepth) {
     for (const YAML::Node& item : node) collect(item, field, depth + 1, out);

@@ -15,9 +15,9 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMostBytes = 4 << 20;
+constexpr size_t kMaxBytes = 4 << 20;
 constexpr int kMaxYamlDepth = 50;        // levels of a YAML file
-constexpr size_t kMostValues = 1000000;  // of a YAML file
+constexpr size_t kMaxValues = 1000000;   // of a YAML file
 constexpr double kFarFromMiddle = 0.15;  // of the principal point, as a share of width or height
 const char kKnown[] =
     "known are the YAML and ost.ini of camera_calibration, OpenCV's FileStorage (YAML, XML), a CameraInfo "
@@ -35,7 +35,7 @@ struct Tree {
 
 /// Aliases (*name) may stand in what they name, or double it over and over: then there is no end.
 void requireEnd(const YAML::Node& node, int depth, size_t* values) {
-  if (depth > kMaxYamlDepth || ++*values > kMostValues)
+  if (depth > kMaxYamlDepth || ++*values > kMaxValues)
     refuseAsNone(fmt::format("line {} is nested too deeply or repeated too often (by aliases, *name)",
                              node.Mark().line + 1));
   if (node.IsSequence()) {
@@ -279,7 +279,7 @@ std::vector<std::string> cameraWarnings(const Camera& camera) {
 
 CameraFile readCameraFile(const std::string& name) {
   const std::string path = resolvedPath(name);
-  const std::string bytes = readFileBytes(path, "a camera calibration", kMostBytes);
+  const std::string bytes = readFileBytes(path, "a camera calibration", kMaxBytes);
   const std::string foreign = foreignContent(bytes);
   if (!foreign.empty()) throw BadInput(path + ": this is " + foreign);
 

@@ -86,9 +86,9 @@ Utf16 utf16Of(const std::string& bytes) {
   size_t zeros[2] = {0, 0};
   for (size_t k = 0; k < end; ++k) zeros[k % 2] += bytes[k] == '\0';
 
-  const size_t most = end / 2 - end / 20, few = end / 20;
-  if (zeros[1] >= most && zeros[0] <= few) return Utf16::kLittle;
-  if (zeros[0] >= most && zeros[1] <= few) return Utf16::kBig;
+  const size_t nearly_all = end / 2 - end / 20, few = end / 20;
+  if (zeros[1] >= nearly_all && zeros[0] <= few) return Utf16::kLittle;
+  if (zeros[0] >= nearly_all && zeros[1] <= few) return Utf16::kBig;
   return Utf16::kNo;
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxFolderDepth = 4;      // folders below an entry of ROS_PACKAGE_PATH
-constexpr size_t kMostFolders = 20000;  // looked into, so that "/" as an entry does not take forever
+constexpr int kMaxFolderDepth = 4;     // folders below an entry of ROS_PACKAGE_PATH
+constexpr size_t kMaxFolders = 20000;  // looked into, so that "/" as an entry does not take forever
 
 std::vector<std::string> foldersOf(const char* variable) {
   std::vector<std::string> out;
@@ -55,7 +55,7 @@ bool isPackage(const fs::path& folder, const std::string& package) {
 std::string foundBelow(const fs::path& folder, const std::string& package, int depth, size_t* looked_into) {
   std::error_code error;
   if (isPackage(folder, package)) return folder.string();
-  if (depth == 0 || ++*looked_into > kMostFolders || fs::exists(folder / "CATKIN_IGNORE", error)) return "";
+  if (depth == 0 || ++*looked_into > kMaxFolders || fs::exists(folder / "CATKIN_IGNORE", error)) return "";
   if (depth < kMaxFolderDepth && fs::is_regular_file(folder / "package.xml", error)) return "";
 
   std::vector<fs::path> below;

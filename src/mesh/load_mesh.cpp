@@ -12,7 +12,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMostBytes = size_t(1) << 30;
+constexpr size_t kMaxBytes = size_t(1) << 30;
 constexpr double kFarthest = 1e6;  // of a vertex from the origin [m]
 
 std::string extensionOf(const std::string& path) {
@@ -126,7 +126,7 @@ void scale(double metres, const std::string& path, Mesh* mesh) {
 
 }  // namespace
 
-std::string meshFileBytes(const std::string& path) { return readFileBytes(path, "a mesh file", kMostBytes); }
+std::string meshFileBytes(const std::string& path) { return readFileBytes(path, "a mesh file", kMaxBytes); }
 
 LoadedMesh readMesh(const std::string& path, const std::string& unit) {
   const double metres = metresPerUnit(unit);

@@ -11,7 +11,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr long long kMostOfOne = 200000000;
+constexpr long long kMaxOfOne = 200000000;
 
 /// Numbers of the data, one after the other, whatever the format.
 class PlyData {
@@ -31,9 +31,9 @@ class PlyData {
   bool isAscii() const { return format_ == PlyFormat::kAscii; }
   bool atEnd() { return isAscii() ? scan_.atEnd() : at_ == bytes_.size(); }
   size_t left() const { return isAscii() ? scan_.remaining() : bytes_.size() - at_; }
-  size_t leastSize(const PlyType& type) const { return isAscii() ? 2 : size_t(type.size); }
+  size_t minSize(const PlyType& type) const { return isAscii() ? 2 : size_t(type.size); }
   /// How many numbers of at least so many bytes may follow; the last of a text has no line end.
-  size_t room(size_t least) const { return (left() + (isAscii() ? 1 : 0)) / least; }
+  size_t room(size_t min_size) const { return (left() + (isAscii() ? 1 : 0)) / min_size; }
 
   /// Where the next number stands, and back to there.
   size_t position() const { return isAscii() ? scan_.position() : at_; }
@@ -54,7 +54,7 @@ class PlyData {
 
   std::vector<double> list(const PlyProperty& p) {
     const double count = number(*p.count, "the length of a list");
-    if (count < 0 || size_t(count) > room(leastSize(*p.type)))
+    if (count < 0 || size_t(count) > room(minSize(*p.type)))
       fail("a list says " + std::to_string((long long)(count)) +
            " entries, more than the rest of the file holds; it is damaged or cut off: export it again");
     std::vector<double> out;
@@ -149,10 +149,10 @@ class PlyReader {
 
   /// A count that cannot fit into what is left of the file is refused before anything is allocated.
   bool fits(const PlyElement& element) const {
-    size_t least = 0;  // bytes per entry at least
-    for (const PlyProperty& p : element.properties) least += data_.leastSize(p.count ? *p.count : *p.type);
-    if (element.count > kMostOfOne) return false;
-    return element.count == 0 || (least > 0 && size_t(element.count) <= data_.room(least));
+    size_t min_size = 0;  // bytes per entry
+    for (const PlyProperty& p : element.properties) min_size += data_.minSize(p.count ? *p.count : *p.type);
+    if (element.count > kMaxOfOne) return false;
+    return element.count == 0 || (min_size > 0 && size_t(element.count) <= data_.room(min_size));
   }
 
   void readElement(const PlyElement& element, bool last) {

@@ -62,15 +62,11 @@ class BinaryStl {
   /// Returns where the bytes behind it begin.
   size_t readSolid(size_t begin) {
     const size_t said = countAt(begin), body = bytes_.size() - begin - kHeader, fit = body / kFacet;
-    size_t count = said;
-    if (said == 0 || said == kUnknownCount) {  // what programs leave that write the count last
-      count = fit;
-    } else if (said > fit) {
-      requireClosed(begin, said, fit, body % kFacet == 0);
-      count = fit;
-    } else if (said < fit && body % kFacet == 0 && areFacets(begin, said, fit)) {
-      count = fit;
-    }
+    const bool unknown = said == 0 || said == kUnknownCount;  // what programs leave that write it last
+    if (!unknown && said > fit) requireClosed(begin, said, fit, body % kFacet == 0);
+
+    const bool more = !unknown && said < fit && body % kFacet == 0 && areFacets(begin, said, fit);
+    const size_t count = unknown || said > fit || more ? fit : said;
     if (count != said)
       warn("the count says " + std::to_string(said) + " triangles, but the file holds " +
            std::to_string(count) + ", which were read");

@@ -27,11 +27,11 @@ Points distinctVertices(const Mesh& mesh) {
 }
 
 // Of a fine mesh only the points that are extreme in some direction matter.
-Points extremePoints(const Points& points, size_t most) {
-  if (points.size() <= most) return points;
+Points extremePoints(const Points& points, size_t max_points) {
+  if (points.size() <= max_points) return points;
   std::vector<bool> keep(points.size(), false);
-  for (size_t k = 0; k < most; ++k) {
-    const double z = 1 - 2 * (k + 0.5) / most, angle = k * M_PI * (3 - std::sqrt(5.0)),
+  for (size_t k = 0; k < max_points; ++k) {
+    const double z = 1 - 2 * (k + 0.5) / max_points, angle = k * M_PI * (3 - std::sqrt(5.0)),
                  r = std::sqrt(1 - z * z);
     const Eigen::Vector3d d(r * std::cos(angle), r * std::sin(angle), z);
     size_t best = 0;
@@ -64,12 +64,13 @@ Eigen::Vector3d centreOfMass(const Mesh& mesh, const Points& points) {
 
 // Distance of a point inside a convex counter-clockwise polygon from its border; negative outside.
 double insideBy(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& p) {
-  double least = polygon.size() >= 3 ? 1e300 : -1;
+  double min_distance = polygon.size() >= 3 ? 1e300 : -1;
   for (size_t k = 0; k < polygon.size() && polygon.size() >= 3; ++k) {
-    const Eigen::Vector2d a = polygon[k], e = polygon[(k + 1) % polygon.size()] - a;
-    least = std::min(least, (e.x() * (p.y() - a.y()) - e.y() * (p.x() - a.x())) / e.norm());
+    const Eigen::Vector2d& a = polygon[k];
+    const Eigen::Vector2d e = polygon[(k + 1) % polygon.size()] - a;
+    min_distance = std::min(min_distance, (e.x() * (p.y() - a.y()) - e.y() * (p.x() - a.x())) / e.norm());
   }
-  return least;
+  return min_distance;
 }
 
 Eigen::Matrix3d scatterOf(const Points& points) {

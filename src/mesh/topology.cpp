@@ -113,8 +113,8 @@ double meshDiameter(const std::vector<Eigen::Vector3d>& vertices) {
     if (reach.norm() > best) candidates.push_back(v);
   }
 
-  constexpr size_t kMost = 20000;  // beyond, every n-th is compared: the bound above is already close
-  const size_t stride = 1 + candidates.size() / kMost;
+  constexpr size_t kMaxCompared = 20000;  // beyond, every n-th is compared: the bound above is already close
+  const size_t stride = 1 + candidates.size() / kMaxCompared;
   for (size_t i = 0; i < candidates.size(); i += stride) {
     for (size_t j = 0; j < i; j += stride) best = std::max(best, (candidates[i] - candidates[j]).norm());
   }

@@ -1,6 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "model/build_model.h"
@@ -17,61 +18,58 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kMostSharpEdges = 20000;    // of a mesh; CAD parts of 100 000 triangles have half of it
+constexpr int kMaxSharpEdges = 20000;     // of a mesh; CAD parts of 100 000 triangles have half of it
 constexpr size_t kManyModelEdges = 5000;  // straight edges of a model
 constexpr size_t kManyTriangles = 200000;
-
-std::string number(double value, const char* format) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 /// A noisy scan has an edge between most of its triangles: it would take minutes and gigabytes, and none of
 /// its edges is one that an image shows.
 void refuseScan(const std::string& name, const Topology& topology, double sharp_angle) {
   const auto sharp = std::count_if(topology.edges.begin(), topology.edges.end(),
                                    [&](const MeshEdge& e) { return e.angle > sharp_angle; });
-  if (sharp <= kMostSharpEdges) return;
-  throw BadInput(name + ": this looks like a scan or a noisy mesh: " + std::to_string(sharp) + " of its " +
-                 std::to_string(topology.edges.size()) +
-                 " edges are sharp, and an image shows none of them. Use the part's CAD model, or smooth the "
-                 "scan and reduce it to some thousand triangles (MeshLab: Quadric Edge Collapse Decimation)");
+  if (sharp <= kMaxSharpEdges) return;
+  throw BadInput(
+      fmt::format("{}: this looks like a scan or a noisy mesh: {} of its {} edges are sharp, and an image "
+                  "shows none of them. Use the part's CAD model, or smooth the scan and reduce it to some "
+                  "thousand triangles (MeshLab: Quadric Edge Collapse Decimation)",
+                  name, sharp, topology.edges.size()));
 }
 
 void warnAboutMesh(const RepairedMesh& repaired, ObjectModel* model) {
   auto& warnings = model->warnings;
   if (model->diameter < 0.005 || model->diameter > 5) {
-    warnings.push_back("the diameter is " + plainNumber(1000 * model->diameter) +
-                       " mm: is the stated unit right?");
+    warnings.push_back(
+        fmt::format("the diameter is {} mm: is the stated unit right?", plainNumber(1000 * model->diameter)));
   }
 
   if (repaired.rim_edges > 0) {
-    warnings.push_back("the mesh is open: " + std::to_string(repaired.rim_edges) +
-                       " edges have only one triangle; faces may be missing");
+    warnings.push_back(fmt::format("the mesh is open: {} edges have only one triangle; faces may be missing",
+                                   repaired.rim_edges));
   }
   if (repaired.crowded_edges > 0) {
-    warnings.push_back(std::to_string(repaired.crowded_edges) +
-                       " edges join more than two triangles: solids touch or overlap; unite them in CAD");
+    warnings.push_back(
+        fmt::format("{} edges join more than two triangles: solids touch or overlap; unite them in CAD",
+                    repaired.crowded_edges));
   }
   if (repaired.turned > 0) {
-    warnings.push_back(std::to_string(repaired.turned) +
-                       " triangles had their corners in the wrong order and were turned");
+    warnings.push_back(
+        fmt::format("{} triangles had their corners in the wrong order and were turned", repaired.turned));
   }
   if (repaired.inside_out) warnings.push_back("the mesh was inside out and was turned");
   if (repaired.degenerate > 0) {
-    warnings.push_back(std::to_string(repaired.degenerate) + " triangles without area were dropped");
+    warnings.push_back(fmt::format("{} triangles without area were dropped", repaired.degenerate));
   }
 
   if (model->mesh.triangles.size() > kManyTriangles) {
     warnings.push_back(
-        std::to_string(model->mesh.triangles.size()) +
-        " triangles are many more than an image can show: every start takes long; reduce them");
+        fmt::format("{} triangles are many more than an image can show: every start takes long; reduce them",
+                    model->mesh.triangles.size()));
   }
   if (model->edges.size() > kManyModelEdges) {
-    warnings.push_back(std::to_string(model->edges.size()) +
-                       " straight edges are more than a CAD part has: of a scan or a noisy mesh few are seen "
-                       "in an image; smooth and reduce it, or use the CAD model");
+    warnings.push_back(
+        fmt::format("{} straight edges are more than a CAD part has: of a scan or a noisy mesh few are seen "
+                    "in an image; smooth and reduce it, or use the CAD model",
+                    model->edges.size()));
   }
   if (model->edges.empty() && model->circles.empty()) {
     warnings.push_back("no sharp edge or circle at all: only its outline can be recognised");
@@ -91,8 +89,7 @@ SharpFeatures findFeatures(const Mesh& mesh, const Topology& topology, const Sur
 
 void ModelOptions::check() const {
   const auto refuse = [](const char* field, double value, const char* rule) {
-    throw BadInput(std::string("ModelOptions.") + field + " is " + number(value, "%g") + "; it must be " +
-                   rule);
+    throw BadInput(fmt::format("ModelOptions.{} is {:g}; it must be {}", field, value, rule));
   };
   if (!(sharp_angle >= 0.02 && sharp_angle <= 1.5)) refuse("sharp_angle", sharp_angle, "0.02 to 1.5 rad");
   if (!(weld_tolerance >= 0 && weld_tolerance <= 1e-2)) refuse("weld_tolerance", weld_tolerance, "0 to 0.01");
@@ -103,8 +100,8 @@ void ModelOptions::check() const {
 
 std::string turnText(const Rigid3& motion) {
   const Eigen::AngleAxisd turn(motion.rotation);
-  return number(turn.angle() * 57.29577951308232, "%.4g") + " deg about (" + number(turn.axis().x(), "%.3g") +
-         ", " + number(turn.axis().y(), "%.3g") + ", " + number(turn.axis().z(), "%.3g") + ")";
+  return fmt::format("{:.4g} deg about ({:.3g}, {:.3g}, {:.3g})", turn.angle() * 57.29577951308232,
+                     turn.axis().x(), turn.axis().y(), turn.axis().z());
 }
 
 RepairedModel repairedModel(const std::string& name, const Mesh& mesh, const ModelOptions& options) {
@@ -156,7 +153,7 @@ void setSymmetries(const SymmetryResult& found, ObjectModel* model) {
   if (found.twins.empty()) return;
   const NearSymmetry& t = found.twins.front();
   const std::string share =
-      t.differing < 0.001 ? "less than 0.1" : "only " + number(100 * t.differing, "%.1f");
+      t.differing < 0.001 ? "less than 0.1" : fmt::format("only {:.1f}", 100 * t.differing);
   model->warnings.push_back("nearly symmetric: turned by " + turnText(t.motion) + " " + share +
                             " % of its surface differs; such views are easily taken for each other");
 }

@@ -1,5 +1,7 @@
 #include "model/cache.h"
 
+#include <fmt/format.h>
+
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -119,7 +121,7 @@ class Reader {
     (*this)(&side);
     s->feature = feature;
     s->silhouette = silhouette != 0;
-    s->inner_side = side;
+    s->inner_side = int(side);
   }
   void operator()(SampledView* v) {
     int32_t view = 0;
@@ -238,7 +240,7 @@ bool writeCache(const std::string& folder, const std::string& name, const Compil
   const std::string payload = pack(parts), path = folder + "/" + name;
   const uint32_t format = kFormat;
   const uint64_t checksum = hash(payload);
-  const std::string temporary = path + "." + std::to_string(getpid()) + ".part";
+  const std::string temporary = fmt::format("{}.{}.part", path, getpid());
 
   {
     std::ofstream out(temporary, std::ios::binary);

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/model/characteristic_views.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,8 +13,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kNeighbour = 1.6;    // directions nearer than this many spacings are neighbours
-constexpr double kLeastShare = 0.05;  // a feature is in a view when this share of it is visible
+constexpr double kNeighbour = 1.6;  // directions nearer than this many spacings are neighbours
+constexpr double kMinShare = 0.05;  // a feature is in a view when this share of it is visible
 
 double stepFor(const ObjectModel& model, const std::vector<Eigen::Vector3d>& directions,
                const ViewOptions& options) {
@@ -116,19 +118,21 @@ void weigh(const Lengths& lengths, const std::vector<double>& full,
 
 void ViewOptions::check() const {
   if (!(spacing >= 0.05 && spacing <= 1.0)) {
-    throw BadInput("ViewOptions.spacing is " + std::to_string(spacing) + "; it must be 0.05 to 1 rad");
+    throw BadInput(fmt::format("ViewOptions.spacing is {:g}; it must be 0.05 to 1 rad", spacing));
   }
   if (distance_ratios.empty())
     throw BadInput("ViewOptions.distance_ratios is empty; it needs at least one ratio");
   for (const double r : distance_ratios) {
     if (!(r > 0.6 && r < 1000)) {
-      throw BadInput("ViewOptions.distance_ratios holds " + std::to_string(r) +
-                     "; each must be above 0.6 (the eye outside the object) and below 1000");
+      throw BadInput(
+          fmt::format("ViewOptions.distance_ratios holds {:g}; each must be above 0.6 (the eye outside the "
+                      "object) and below 1000",
+                      r));
     }
   }
   if (samples_per_view < 8 || samples_per_view > 100000) {
-    throw BadInput("ViewOptions.samples_per_view is " + std::to_string(samples_per_view) +
-                   "; it must be 8 to 100000");
+    throw BadInput(
+        fmt::format("ViewOptions.samples_per_view is {}; it must be 8 to 100000", samples_per_view));
   }
 }
 
@@ -159,7 +163,7 @@ ViewSphere sampleViews(const ObjectModel& model, const ViewOptions& options) {
   std::vector<int> views_with_feature(model.featureCount(), 0);
   for (size_t v = 0; v < sphere.views.size(); ++v) {
     for (int g = 0; g < model.featureCount(); ++g) {
-      if (lengths[v][g] < kLeastShare * full[g] || lengths[v][g] <= 0) continue;
+      if (lengths[v][g] < kMinShare * full[g] || lengths[v][g] <= 0) continue;
       features[v].push_back(g);
       ++views_with_feature[g];
     }

@@ -1,5 +1,7 @@
 #include "monocular_eye_hand/model/contour.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -221,11 +223,11 @@ class View {
 
 void ContourOptions::check() const {
   if (!(step > 0) || !std::isfinite(step)) {
-    throw BadInput("ContourOptions.step is " + std::to_string(step) + "; it must be a positive length [m]");
+    throw BadInput(fmt::format("ContourOptions.step is {:g}; it must be a positive length [m]", step));
   }
   if (!(min_dihedral >= 0) || min_dihedral > 3.15) {
-    throw BadInput("ContourOptions.min_dihedral is " + std::to_string(min_dihedral) +
-                   "; it must be 0 to pi [rad]");
+    throw BadInput(
+        fmt::format("ContourOptions.min_dihedral is {:g}; it must be 0 to pi [rad]", min_dihedral));
   }
 }
 

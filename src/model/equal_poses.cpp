@@ -27,12 +27,12 @@ Rigid3 turnedTowards(const ObjectModel& model, const Rigid3& pose, const Rigid3&
 
 Rigid3 nearestEqualPose(const ObjectModel& model, const Rigid3& pose, const Rigid3& wanted) {
   Rigid3 best = pose;
-  double least = std::numeric_limits<double>::max();
+  double min_angle = std::numeric_limits<double>::max();
   for (const Rigid3& s : model.symmetries.discrete) {
     const Rigid3 equal = turnedTowards(model, pose * s, wanted);
     const double angle = angleBetween(equal.rotation, wanted.rotation);
-    if (angle < least - 1e-9) {
-      least = angle;
+    if (angle < min_angle - 1e-9) {
+      min_angle = angle;
       best = equal;
     }
   }

@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kMostCells = 20000;  // of the grid
+constexpr double kMaxCells = 20000;  // of the grid
 
 bool anyInside(const ObjectModel& solid, const Rigid3& solid_from_points,
                const std::vector<Eigen::Vector3d>& points) {
@@ -23,12 +23,12 @@ bool insideSolid(const ObjectModel& model, const Eigen::Vector3d& p_in_object) {
   return model.closed && model.rays && model.bounds.contains(p_in_object) && model.rays->inside(p_in_object);
 }
 
-std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth, size_t most) {
+std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth, size_t max_points) {
   std::vector<Eigen::Vector3d> points;
   std::vector<double> depths;
   if (!model.closed || !model.rays || model.bounds.isEmpty()) return points;
 
-  const double cell = std::max(depth, std::cbrt(model.bounds.volume() / kMostCells));
+  const double cell = std::max(depth, std::cbrt(model.bounds.volume() / kMaxCells));
   const Eigen::Array3i cells = (model.bounds.sizes() / cell).array().ceil().max(1).cast<int>();
   const Eigen::Vector3d step = model.bounds.sizes().array() / cells.cast<double>();
 
@@ -50,7 +50,7 @@ std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth,
   for (size_t n = 0; n < points.size(); ++n)
     if (depths[n] >= wanted) inner.push_back(points[n]);
 
-  const size_t stride = most > 0 ? (inner.size() + most - 1) / most : 1;
+  const size_t stride = max_points > 0 ? (inner.size() + max_points - 1) / max_points : 1;
   std::vector<Eigen::Vector3d> spread;
   for (size_t n = 0; n < inner.size(); n += stride) spread.push_back(inner[n]);
   return spread;

@@ -1,11 +1,13 @@
 #include "monocular_eye_hand/model/model_base.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
 #include "model/build_steps.h"
 #include "model/cache.h"
-#include "model/look_alikes.h"
+#include "model/similar_models.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 
@@ -53,20 +55,20 @@ struct Cache {
 /// Symmetries and views, the slow part, from the cache or made anew; the views, where they are wanted. Enters
 /// the symmetries, which the views depend on, into the model.
 ViewSphere compiledViews(const ObjectEntry& entry, ModelDepth depth, const ViewOptions& views, Cache* cache,
-                         const CompileProgress& tell, ObjectModel* model) {
+                         const CompileProgress& reportProgress, ObjectModel* model) {
   CompiledParts parts;
   const std::string& folder = cache->folder;
   const std::string name = folder.empty() ? "" : cacheName(meshFileBytes(entry.mesh), spelled(entry, views));
   const bool cached = !folder.empty() && readCache(folder + "/" + name, &parts);
   if (!cached) {
-    tell("looking for symmetries");
+    reportProgress("looking for symmetries");
     parts.symmetries = symmetriesOf(*model, entry.options);
   }
   setSymmetries(parts.symmetries, model);
   if (depth < ModelDepth::kViews) return {};
   if (cached) return std::move(parts.views);
 
-  tell("looking from all sides");
+  reportProgress("looking from all sides");
   parts.views = sampleViews(*model, views);
   if (!folder.empty() && !writeCache(folder, name, parts)) cache->failed = true;
   return std::move(parts.views);
@@ -84,15 +86,15 @@ KnownObject compile(const ObjectEntry& entry, ModelDepth depth, const ViewOption
   }
 
   const size_t triangles = loaded.mesh.triangles.size();
-  const auto tell = [&](const std::string& step) {
-    if (progress) progress(entry.name + " (" + std::to_string(triangles) + " triangles): " + step);
+  const auto reportProgress = [&](const std::string& step) {
+    if (progress) progress(fmt::format("{} ({} triangles): {}", entry.name, triangles, step));
   };
-  if (triangles > kSlowTriangles) tell("looking for edges");
+  if (triangles > kSlowTriangles) reportProgress("looking for edges");
   object.model = buildShape(entry.name, loaded.mesh, entry.options);
   std::vector<std::string>& warnings = object.model.warnings;
   warnings.insert(warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
 
-  object.views = compiledViews(entry, depth, views, cache, tell, &object.model);
+  object.views = compiledViews(entry, depth, views, cache, reportProgress, &object.model);
   return object;
 }
 

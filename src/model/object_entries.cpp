@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct GraspKeys {
   Numbers xyz{std::numeric_limits<double>::quiet_NaN(), 0, 0};  // [m]; not a number: not given
   Numbers rpy{};                                                // about the fixed axes x, y, z, as in URDF
   double width = 0;                                             // [m]
-  int turns = 1;
+  int rotation_steps = 1;
   Numbers axis{0, 0, 1}, point{};
 
   template <class Visitor>
@@ -28,15 +29,16 @@ struct GraspKeys {
     v("xyz", xyz);
     v("rpy", rpy);
     v("width", width);
-    v("turns", turns);
+    v("rotation_steps", rotation_steps);
     v("axis", axis);
     v("point", point);
   }
 
   void check() const {
     if (std::isnan(xyz[0])) throw BadInput("the key \"xyz\" is missing");
-    if (!(width > 0)) throw BadInput("width = " + std::to_string(width) + " must be above 0 [m]");
-    if (turns < 1 || turns > 360) throw BadInput("turns = " + std::to_string(turns) + " must be 1 to 360");
+    if (!(width > 0)) throw BadInput(fmt::format("width = {:.4f} must be above 0 [m]", width));
+    if (rotation_steps < 1 || rotation_steps > 360)
+      throw BadInput(fmt::format("rotation_steps = {} must be 1 to 360", rotation_steps));
     if (Eigen::Vector3d(axis.data()).norm() < 1e-6) throw BadInput("axis must not be zero");
   }
 };
@@ -78,7 +80,7 @@ GivenGrasp grasped(const GraspKeys& keys) {
                                     Eigen::AngleAxisd(keys.rpy[0], Eigen::Vector3d::UnitX()))
                                        .toRotationMatrix();
   grasp.width = keys.width;
-  grasp.turns = keys.turns;
+  grasp.rotation_steps = keys.rotation_steps;
   grasp.axis.point = Eigen::Vector3d(keys.point.data());
   grasp.axis.direction = Eigen::Vector3d(keys.axis.data()).normalized();
   return grasp;
@@ -126,7 +128,7 @@ ObjectEntry readEntry(const OptionTree& tree, const std::string& folder) {
 std::string placeOf(size_t index, const OptionTree& tree) {
   const OptionTree* name = tree.find("name");
   const bool named = name && name->kind == OptionTree::Kind::kScalar && !name->scalar.empty();
-  return "object " + std::to_string(index + 1) + (named ? " (" + name->scalar + ")" : "");
+  return fmt::format("object {}{}", index + 1, (named ? " (" + name->scalar + ")" : ""));
 }
 
 /// The list of objects that the file holds.
@@ -152,8 +154,7 @@ std::vector<ObjectEntry> readList(const std::vector<OptionTree>& list, const std
     const bool twice = std::any_of(entries.begin(), entries.end() - 1,
                                    [&](const ObjectEntry& e) { return e.name == entries.back().name; });
     if (twice)
-      throw BadInput("object " + std::to_string(k + 1) + ": the name \"" + entries.back().name +
-                     "\" is used twice");
+      throw BadInput(fmt::format("object {}: the name \"{}\" is used twice", k + 1, entries.back().name));
   }
   return entries;
 }

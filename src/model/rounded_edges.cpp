@@ -8,8 +8,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kLeastTurn = 0.35;  // angle between the planes [rad]
-constexpr double kMostTurn = 2.6;    // ... at the round end of a slot it is pi
+constexpr double kMinTurn = 0.35;  // angle between the planes [rad]
+constexpr double kMaxTurn = 2.6;   // ... at the round end of a slot it is pi
 constexpr double kAlongAxis =
     0.999;                       // cosine between the wall's axis and the mesh edges that join it to a plane
 constexpr double kJoined = 0.6;  // share of the wall's length along which a plane joins it
@@ -124,7 +124,7 @@ std::vector<ModelEdge> findRoundedEdges(const Mesh& mesh, const Topology& topolo
     if (beside.size() != 2) continue;
 
     const ModelEdge edge = middleOf(wall, {beside[0], beside[1]}, split);
-    const bool turns_as_edges_do = edge.dihedral > kLeastTurn && edge.dihedral < kMostTurn;
+    const bool turns_as_edges_do = edge.dihedral > kMinTurn && edge.dihedral < kMaxTurn;
     if (turns_as_edges_do && edge.dihedral * edge.rounding < kWidestRound * diameter) found.push_back(edge);
   }
   return found;

@@ -8,7 +8,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kArcFitShare = 2e-3;  // vertices of an arc lie on it within this share of its radius
-constexpr size_t kLeastSegments = 3;
+constexpr size_t kMinSegments = 3;
 
 /// Mesh edges in order between the same two surfaces; edge k runs from vertex k to vertex k + 1.
 struct Chain {
@@ -118,8 +118,8 @@ class SharpFeatureFinder {
 
     for (size_t i = 0; i + 1 < knots.size();) {
       size_t end = i + 1;
-      if (i + kLeastSegments < knots.size() && isArc(chain, knots, i, i + kLeastSegments, false)) {
-        end = i + kLeastSegments;
+      if (i + kMinSegments < knots.size() && isArc(chain, knots, i, i + kMinSegments, false)) {
+        end = i + kMinSegments;
         while (end + 1 < knots.size() && isArc(chain, knots, i, end + 1, false)) ++end;
         if (!addArc(chain, knots, i, end, false)) {
           for (size_t k = i; k < end; ++k) addEdge(chain, knots[k], knots[k + 1]);
@@ -166,7 +166,7 @@ class SharpFeatureFinder {
 
   /// Tests the fit of one circle to the knots begin..end.
   bool isArc(const Chain& chain, const std::vector<int>& knots, size_t begin, size_t end, bool full) const {
-    if (end - begin < kLeastSegments) return false;
+    if (end - begin < kMinSegments) return false;
     const CircleFit c = fitKnots(chain, knots, begin, end, full);
     if (!c.valid || c.residual > kArcFitShare * c.radius + 4 * tolerance_) return false;
     double sweep = 0, widest = 0, narrowest = 1e300;

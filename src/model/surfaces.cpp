@@ -12,7 +12,7 @@ namespace {
 constexpr double kSquareToAxis = 0.02;  // facets of a cylinder stand square to its axis within this [rad]
 constexpr double kCylinderFitShare =
     2e-3;  // vertices of a cylinder lie on it within this share of the radius
-constexpr size_t kLeastFacets = 3;
+constexpr size_t kMinFacets = 3;
 constexpr double kFlattest = 1e-4;
 
 class Splitter {
@@ -104,7 +104,7 @@ class Splitter {
       const double tolerance = (round == 0 ? 0.02 : kCylinderFitShare) * c.radius + 4 * tolerance_;
       if (!onCylinder(seed, c, tolerance)) return false;
       std::vector<int> now = connected(seed, [&](int f) { return onCylinder(f, c, tolerance); });
-      if (now.size() < kLeastFacets) return false;
+      if (now.size() < kMinFacets) return false;
       const bool same = round > 1 && now == members;
       members = std::move(now);
       if (same) break;

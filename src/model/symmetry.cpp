@@ -13,14 +13,14 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr int kSurfaceSamples = 1500;
-constexpr size_t kMostVertices = 3000;  // of the mesh, used as samples besides
-constexpr double kTwinShare = 0.12;     // a rotation that moves less of the surface makes a twin
+constexpr size_t kMaxVertices = 3000;  // of the mesh, used as samples besides
+constexpr double kTwinShare = 0.12;    // a rotation that moves less of the surface makes a twin
 constexpr size_t kLargestGroup = 120;
-constexpr int kFineSamples = 6000;           // of the surface, for what passed the first ones
-constexpr size_t kMostFineVertices = 20000;  // of the mesh, besides
-constexpr double kFineSlack = 1.25;          // between samples the surface may lie a little farther off
-constexpr double kMostOfAxis = 1e-2;         // allowance of a body of revolution, as a share of the diameter
-constexpr int kFewestSegments = 24;          // of a body of revolution without any circle or cylinder
+constexpr int kFineSamples = 6000;          // of the surface, for what passed the first ones
+constexpr size_t kMaxFineVertices = 20000;  // of the mesh, besides
+constexpr double kFineSlack = 1.25;         // between samples the surface may lie a little farther off
+constexpr double kMaxOfAxis = 1e-2;         // allowance of a body of revolution, as a share of the diameter
+constexpr int kFewestSegments = 24;         // of a body of revolution without any circle or cylinder
 
 double radicalInverse(unsigned n, unsigned base) {
   double value = 0, place = 1.0 / base;
@@ -40,7 +40,7 @@ class SymmetryFinder {
   SymmetryFinder(const ObjectModel& model, double tolerance)
       : model_(model), tolerance_(tolerance), closest_(model.mesh), round_(model) {
     measure();
-    samples_ = sampled(kSurfaceSamples, kMostVertices);
+    samples_ = sampled(kSurfaceSamples, kMaxVertices);
     first_area_sample_ = samples_.size() - kSurfaceSamples;
     tolerances_ = tolerancesAt(samples_);
     collectMarks();
@@ -78,9 +78,9 @@ class SymmetryFinder {
   }
 
   /// Vertices, at most so many, then `count` points spread evenly over the surface.
-  std::vector<Eigen::Vector3d> sampled(int count, size_t most_vertices) const {
+  std::vector<Eigen::Vector3d> sampled(int count, size_t max_vertices) const {
     std::vector<Eigen::Vector3d> out;
-    const size_t stride = 1 + model_.mesh.vertices.size() / most_vertices;
+    const size_t stride = 1 + model_.mesh.vertices.size() / max_vertices;
     for (size_t v = 0; v < model_.mesh.vertices.size(); v += stride) out.push_back(model_.mesh.vertices[v]);
     for (int k = 0; k < count; ++k) {
       const double at = (k + 0.5) / count * until_.back();
@@ -135,7 +135,7 @@ class SymmetryFinder {
   /// The same with many more samples: a small feature must not hide between the first ones.
   bool holdsFinely(const Rigid3& motion) {
     if (fine_.empty()) {
-      fine_ = sampled(kFineSamples, kMostFineVertices);
+      fine_ = sampled(kFineSamples, kMaxFineVertices);
       fine_tolerances_ = tolerancesAt(fine_);
     }
     return keeps(motion, fine_, fine_tolerances_, kFineSlack);
@@ -150,7 +150,7 @@ class SymmetryFinder {
       high = std::max(high, r);
     }
     if (high - low > tolerance_) return false;
-    const double dip = tolerance_ + kMostOfAxis * model_.diameter;
+    const double dip = tolerance_ + kMaxOfAxis * model_.diameter;
     return std::all_of(samples_.begin(), samples_.end(),
                        [&](const Eigen::Vector3d& p) { return high - (p - centroid_).norm() < dip; });
   }
@@ -226,7 +226,7 @@ class SymmetryFinder {
     std::vector<double> out;
     for (size_t k = 0; k < samples_.size(); ++k) {
       const double rho = (samples_[k] - centroid_).cross(axis).norm();
-      const double allowance = std::min(1.2 * sagitta(rho, segment), kMostOfAxis * model_.diameter);
+      const double allowance = std::min(1.2 * sagitta(rho, segment), kMaxOfAxis * model_.diameter);
       out.push_back(std::max(tolerances_[k], tolerance_ + allowance));
     }
     return out;

@@ -21,13 +21,13 @@ Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& m) {
 }
 
 /// Adds products until there are no new ones; false when they become too many.
-bool close(const std::function<bool(const Eigen::Matrix3d&)>& holds, size_t most, Turns* turns) {
+bool close(const std::function<bool(const Eigen::Matrix3d&)>& holds, size_t max_rotations, Turns* turns) {
   for (size_t i = 0; i < turns->size(); ++i) {
     for (size_t j = 0; j <= i; ++j) {
       const Eigen::Matrix3d products[2] = {(*turns)[i] * (*turns)[j], (*turns)[j] * (*turns)[i]};
       for (const Eigen::Matrix3d& product : products) {
         if (indexOfTurn(*turns, product) >= 0) continue;
-        if (turns->size() >= most || !holds(product)) return false;
+        if (turns->size() >= max_rotations || !holds(product)) return false;
         turns->push_back(product);
       }
     }
@@ -53,8 +53,8 @@ std::vector<std::vector<int>> productTable(const Turns& turns) {
 
 /// Replaces every element k by the mean of inverse(i) (i k) over all i. Converges quadratically.
 void makeExact(const std::vector<std::vector<int>>& table, Turns* turns) {
-  constexpr int kMostRounds = 20;
-  for (int round = 0; round < kMostRounds; ++round) {
+  constexpr int kMaxRounds = 20;
+  for (int round = 0; round < kMaxRounds; ++round) {
     Turns sums(turns->size(), Eigen::Matrix3d::Zero());
     for (size_t i = 0; i < turns->size(); ++i) {
       for (size_t k = 0; k < turns->size(); ++k)
@@ -75,11 +75,11 @@ void makeExact(const std::vector<std::vector<int>>& table, Turns* turns) {
 
 int indexOfTurn(const std::vector<Eigen::Matrix3d>& list, const Eigen::Matrix3d& rotation) {
   int best = -1;
-  double least = kSameRotation;
+  double min_angle = kSameRotation;
   for (size_t k = 0; k < list.size(); ++k) {
     const double angle = apart(list[k], rotation);
-    if (angle >= least) continue;
-    least = angle;
+    if (angle >= min_angle) continue;
+    min_angle = angle;
     best = int(k);
   }
   return best;
@@ -87,10 +87,10 @@ int indexOfTurn(const std::vector<Eigen::Matrix3d>& list, const Eigen::Matrix3d&
 
 std::optional<std::vector<Eigen::Matrix3d>> grownGroup(
     const std::vector<Eigen::Matrix3d>& group, const Eigen::Matrix3d& more,
-    const std::function<bool(const Eigen::Matrix3d&)>& holds, size_t most) {
+    const std::function<bool(const Eigen::Matrix3d&)>& holds, size_t max_rotations) {
   Turns turns = group;
   turns.push_back(more);
-  if (!close(holds, most, &turns)) return std::nullopt;
+  if (!close(holds, max_rotations, &turns)) return std::nullopt;
   const std::vector<std::vector<int>> table = productTable(turns);
   if (table.empty()) return std::nullopt;
   makeExact(table, &turns);

@@ -18,7 +18,7 @@ int indexOfTurn(const std::vector<Eigen::Matrix3d>& list, const Eigen::Matrix3d&
 /// end. Nothing when there is no such group of at most `most` elements, or one of them does not hold.
 std::optional<std::vector<Eigen::Matrix3d>> grownGroup(
     const std::vector<Eigen::Matrix3d>& group, const Eigen::Matrix3d& more,
-    const std::function<bool(const Eigen::Matrix3d&)>& holds, size_t most);
+    const std::function<bool(const Eigen::Matrix3d&)>& holds, size_t max_rotations);
 
 /// Identity first, then by falling trace, then by the entries: a repeatable order.
 void sortTurns(std::vector<Eigen::Matrix3d>* group);

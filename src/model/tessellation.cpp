@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kCoarsest = 0.8;  // edge of a polygon that may still stand for a circle [rad]
 constexpr double kFullTurn = 2 * 3.14159265358979323846;
-constexpr double kMostShare = 5e-3;   // of the diameter
+constexpr double kMaxShare = 5e-3;    // of the diameter
 constexpr double kSpare = 1.2;        // for noise in vertices and fit
 constexpr double kSameRadius = 0.02;  // radii within this share are of equal holes
 
@@ -16,7 +16,7 @@ constexpr double kSameRadius = 0.02;  // radii within this share are of equal ho
 
 double sagitta(double radius, double segment) { return radius * (1 - std::cos(0.5 * segment)); }
 
-Tessellation::Tessellation(const ObjectModel& model) : most_(kMostShare * model.diameter) {
+Tessellation::Tessellation(const ObjectModel& model) : most_(kMaxShare * model.diameter) {
   for (const ModelCircle& c : model.circles) {
     if (c.full() && c.segment <= kCoarsest) parts_.push_back({c.centre, c.axis, c.radius, 0, c.segment});
   }

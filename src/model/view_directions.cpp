@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,8 +58,8 @@ std::vector<Eigen::Vector3d> meridian(const Symmetries& symmetries, double spaci
 
 std::vector<Eigen::Vector3d> viewDirections(const Symmetries& symmetries, double spacing) {
   if (!(spacing >= 0.05 && spacing <= 1.6)) {
-    throw BadInput("the spacing of view directions is " + std::to_string(spacing) +
-                   "; it must be 0.05 to 1.6 rad");
+    throw BadInput(
+        fmt::format("the spacing of view directions is {:g}; it must be 0.05 to 1.6 rad", spacing));
   }
   if (symmetries.sphere) return {generic()};
   if (symmetries.axis) return meridian(symmetries, spacing);

@@ -5,7 +5,7 @@
 #include "monocular_eye_hand/offline/clearing_watch.h"
 #include "monocular_eye_hand/offline/options.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
-#include "monocular_eye_hand/simulation/cell_camera.h"
+#include "monocular_eye_hand/simulation/cell/camera.h"
 #include "monocular_eye_hand/tracking/object_tracker.h"
 
 namespace monocular_eye_hand {

@@ -8,8 +8,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMostUntaken = 2000;  // joint readings that nobody takes
-constexpr double kInstant = 1e-9;      // the cell's time is whole nanoseconds [s]
+constexpr size_t kMaxUntaken = 2000;  // joint readings that nobody takes
+constexpr double kInstant = 1e-9;     // the cell's time is whole nanoseconds [s]
 
 std::vector<CellPathPoint> pathOf(const Trajectory& trajectory) {
   std::vector<CellPathPoint> path;
@@ -30,7 +30,7 @@ GripperReading gripperOf(const WorkCell& cell) {
   return {cell.time(), cell.gripperWidth(), cell.gripperMoving(), cell.gripperStalled()};
 }
 
-CellRobot::CellRobot(WorkCell* cell, double period) : cell_(*cell), period_(period) { tell(); }
+CellRobot::CellRobot(WorkCell* cell, double period) : cell_(*cell), period_(period) { recordState(); }
 
 void CellRobot::send(const Trajectory& trajectory) {
   try {
@@ -62,7 +62,7 @@ std::vector<JointReading> CellRobot::takeJoints() { return std::exchange(untaken
 
 void CellRobot::wait(double seconds) {
   cell_.advance(std::clamp(next_ - cell_.time(), 0.0, seconds));
-  if (cell_.time() + kInstant >= next_) tell();
+  if (cell_.time() + kInstant >= next_) recordState();
 }
 
 void CellRobot::rest(double seconds) {
@@ -72,13 +72,13 @@ void CellRobot::rest(double seconds) {
   } while (cell_.time() + kInstant < end);
 }
 
-void CellRobot::tell() {
+void CellRobot::recordState() {
   next_ = cell_.time() + period_;
   joints_ = {cell_.time(), cell_.joints(), cell_.velocities().cwiseAbs().maxCoeff()};
   gripper_ = gripperOf(cell_);
 
   untaken_.push_back(joints_);
-  if (untaken_.size() > kMostUntaken) untaken_.erase(untaken_.begin());
+  if (untaken_.size() > kMaxUntaken) untaken_.erase(untaken_.begin());
 }
 
 }  // namespace monocular_eye_hand

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "monocular_eye_hand/execution/robot.h"
-#include "monocular_eye_hand/simulation/cell.h"
+#include "monocular_eye_hand/simulation/cell/work_cell.h"
 
 namespace monocular_eye_hand {
 
@@ -36,7 +36,7 @@ class CellRobot : public Robot {
   void rest(double seconds);
 
  private:
-  void tell();
+  void recordState();
 
   WorkCell& cell_;
   const double period_;

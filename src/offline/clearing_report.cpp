@@ -17,13 +17,13 @@ const ObjectModel& modelOf(const ModelBase& models, const std::string& name) {
 
 const TrueObject* nearestOf(const PickRecord& pick) {
   const TrueObject* nearest = nullptr;
-  double least = 0;
+  double min_distance = 0;
   for (const TrueObject& object : pick.truth) {
     if (object.name != pick.name) continue;
     const double distance = (object.base_from_object.translation - pick.base_from_object.translation).norm();
-    if (nearest && distance >= least) continue;
+    if (nearest && distance >= min_distance) continue;
     nearest = &object;
-    least = distance;
+    min_distance = distance;
   }
   return nearest;
 }

@@ -4,7 +4,7 @@
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/simulation/cell_scene.h"
+#include "monocular_eye_hand/simulation/cell/scene.h"
 #include "offline/cell_world.h"
 #include "offline/wall_clock.h"
 

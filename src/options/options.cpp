@@ -9,6 +9,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "options/renamed_keys.h"
+
 namespace monocular_eye_hand {
 namespace options_detail {
 namespace {
@@ -48,14 +50,46 @@ size_t editDistance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+bool contains(const std::vector<std::string>& known, const std::string& key) {
+  return std::find(known.begin(), known.end(), key) != known.end();
+}
+
+/// What a key of an earlier version is called now; nullptr for a key that was not renamed here.
+const char* newName(const std::string& key, const std::vector<std::string>& known) {
+  for (const RenamedKey& renamed : kRenamedKeys)
+    if (key == renamed.before && contains(known, renamed.now)) return renamed.now;
+  return nullptr;
+}
+
+/// The known key that is most like this one, nullptr when none is.
+const std::string* nearestKey(const std::string& key, const std::vector<std::string>& known) {
+  size_t min_distance = 1 + key.size() / 2;  // a match that changes more than half is no match
+  const std::string* nearest = nullptr;
+  for (const std::string& name : known) {
+    const bool part = name.find(key) != std::string::npos;  // an abbreviation of it
+    const size_t distance = part ? 1 : editDistance(key, name);
+    if (distance < min_distance) {
+      min_distance = distance;
+      nearest = &name;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 void read(const OptionTree& tree, const std::string& key, bool& field) {
   const std::string& text = requireScalar(tree, key, "true or false");
   for (const char* yes : {"true", "True", "TRUE", "yes", "Yes", "YES", "y", "Y", "on", "On", "ON", "1"})
-    if (text == yes) return void(field = true);
+    if (text == yes) {
+      field = true;
+      return;
+    }
   for (const char* no : {"false", "False", "FALSE", "no", "No", "NO", "n", "N", "off", "Off", "OFF", "0"})
-    if (text == no) return void(field = false);
+    if (text == no) {
+      field = false;
+      return;
+    }
   wrongType(tree, key, "true or false");
 }
 
@@ -92,23 +126,15 @@ void requireMap(const OptionTree& tree, const std::string& key) {
 
 void requireKnown(const OptionTree& tree, const std::string& key, const std::vector<std::string>& known) {
   for (const auto& entry : tree.map) {
-    if (std::find(known.begin(), known.end(), entry.first) != known.end()) continue;
-    std::string message = "unknown key '" + join(key, entry.first) + "'";
-    size_t best = 1 + entry.first.size() / 2;  // a match that changes more than half is no match
-    const std::string* nearest = nullptr;
-    for (const std::string& name : known) {
-      const bool part = name.find(entry.first) != std::string::npos;  // an abbreviation of it
-      const size_t distance = part ? 1 : editDistance(entry.first, name);
-      if (distance < best) {
-        best = distance;
-        nearest = &name;
-      }
-    }
+    if (contains(known, entry.first)) continue;
+    const std::string name = join(key, entry.first);
+    if (const char* now = newName(entry.first, known))
+      throw BadInput(fmt::format("'{}' is now called '{}'", name, join(key, now)));
 
-    if (nearest) message += "; did you mean '" + join(key, *nearest) + "'?";
-    message += " Known here:";
-    for (size_t i = 0; i < known.size(); ++i) message += (i ? ", " : " ") + known[i];
-    throw BadInput(message);
+    std::string message = fmt::format("unknown key '{}'", name);
+    if (const std::string* nearest = nearestKey(entry.first, known))
+      message += fmt::format("; did you mean '{}'?", join(key, *nearest));
+    throw BadInput(fmt::format("{} Known here: {}", message, fmt::join(known, ", ")));
   }
 }
 

@@ -17,7 +17,7 @@ std::string place(const YAML::Mark& mark) {
 }
 
 constexpr int kDeepest = 100;
-constexpr size_t kMostValues = 1000000;
+constexpr size_t kMaxValues = 1000000;
 
 /// Turns YAML into a tree. Aliases (*name) become copies of what they name, which may be the list or map they
 /// stand in: then there is no end, and doubled often enough none that memory holds.
@@ -28,9 +28,9 @@ class Converter {
       throw BadInput(fmt::format(
           "'{}' is nested more than {} levels deep; does an alias (*name) stand in what it names?{}",
           name.substr(0, 60), kDeepest, place(node.Mark())));
-    if (++values_ > kMostValues)
+    if (++values_ > kMaxValues)
       throw BadInput(fmt::format("there are more than {} values; do aliases (*name) double what they name?{}",
-                                 kMostValues, place(node.Mark())));
+                                 kMaxValues, place(node.Mark())));
     switch (node.Type()) {
       case YAML::NodeType::Scalar:
         return OptionTree::ofScalar(node.Scalar(), node.Tag() == "!");

@@ -10,24 +10,24 @@
 namespace monocular_eye_hand {
 namespace {
 
-std::string singularityAt(const ToolArm& arm, const JointVector& joints, double least) {
+std::string singularityAt(const ToolArm& arm, const JointVector& joints, double min_singularity) {
   const Singularity s = arm.arm.singularity(joints);
-  if (s.wrist < least) return "the wrist is nearly straight";
-  if (s.elbow < least) return "the arm is nearly stretched or folded";
-  if (s.shoulder < least) return "the wrist is nearly above the shoulder";
+  if (s.wrist < min_singularity) return "the wrist is nearly straight";
+  if (s.elbow < min_singularity) return "the arm is nearly stretched or folded";
+  if (s.shoulder < min_singularity) return "the wrist is nearly above the shoulder";
   return "";
 }
 
-/// The solution in the posture of `branch` nearest to `current`; null when there is none.
-const ArmSolution* inPosture(const ArmSolutions& solutions, const Branch& branch,
-                             const JointVector& current) {
+/// The solution in this configuration nearest to `current`; null when there is none.
+const ArmSolution* inConfiguration(const ArmSolutions& solutions, const ArmConfiguration& configuration,
+                                   const JointVector& current) {
   const ArmSolution* best = nullptr;
-  double least = 0;
+  double min_distance = 0;
   for (const ArmSolution& s : solutions) {
     const double distance = (s.joints - current).norm();
-    if (s.branch == branch && (!best || distance < least)) {
+    if (s.configuration == configuration && (!best || distance < min_distance)) {
       best = &s;
-      least = distance;
+      min_distance = distance;
     }
   }
   return best;
@@ -36,7 +36,11 @@ const ArmSolution* inPosture(const ArmSolutions& solutions, const Branch& branch
 class Line {
  public:
   Line(const ToolArm& arm, const JointVector& start, const Rigid3& to, const CartesianOptions& options)
-      : arm_(arm), options_(options), from_(arm.baseFromTcp(start)), to_(to), branch_(arm.arm.branch(start)) {
+      : arm_(arm),
+        options_(options),
+        from_(arm.baseFromTcp(start)),
+        to_(to),
+        configuration_(arm.arm.configuration(start)) {
     length_ = (to_.translation - from_.translation).norm();
     path_.points.push_back(start);
   }
@@ -45,7 +49,7 @@ class Line {
     if (!clearOfSingularities(path_.points[0], 0)) return path_;
     const double turn = angleBetween(from_.rotation, to_.rotation);
     const double longest =
-        1 / std::max(1.0, std::ceil(std::max(length_ / options_.max_step, turn / options_.max_turn)));
+        1 / std::max(1.0, std::ceil(std::max(length_ / options_.max_step, turn / options_.max_rotation)));
     if (length_ < 1e-12 && turn < 1e-12) {
       path_.outcome = CartesianOutcome::kFound;
       return path_;
@@ -85,12 +89,12 @@ class Line {
   bool reach(double at, JointVector* joints) {
     ArmSolutions solutions;
     arm_.inverse(between(from_, to_, at), path_.points.back(), &solutions);
-    const ArmSolution* s = inPosture(solutions, branch_, path_.points.back());
+    const ArmSolution* s = inConfiguration(solutions, configuration_, path_.points.back());
     if (!s) {
       if (solutions.empty())
         refuse(CartesianOutcome::kUnreachable, "out of reach or joint limits", at);
       else
-        refuse(CartesianOutcome::kJump, "the posture " + toString(branch_) + " ends", at);
+        refuse(CartesianOutcome::kJump, "the configuration " + toString(configuration_) + " ends", at);
       return false;
     }
     *joints = s->joints;
@@ -107,7 +111,7 @@ class Line {
       // Along the line it may be early or late.
       const Eigen::Vector3d line = (to_.translation - from_.translation).stableNormalized();
       if ((off - line * line.dot(off)).norm() > options_.deviation) return false;
-      if (angleBetween(meant.rotation, is.rotation) > options_.turn_deviation) return false;
+      if (angleBetween(meant.rotation, is.rotation) > options_.rotation_deviation) return false;
     }
     return true;
   }
@@ -115,7 +119,7 @@ class Line {
   const ToolArm& arm_;
   const CartesianOptions& options_;
   Rigid3 from_, to_;
-  Branch branch_;
+  ArmConfiguration configuration_;
   double length_ = 0;
   CartesianPath path_;
 };

@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kPostures = 64;  // that decide which links always touch
+constexpr int kSampledConfigurations = 64;  // that decide which links always touch
 
 Solid solidOf(const ArmShape& shape) {
   switch (shape.kind) {
@@ -141,10 +141,10 @@ void CollisionArm::findSelfPairs() {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> angle(-M_PI, M_PI);
   std::vector<Rigid3> poses;
-  for (int n = 0; n < kPostures; ++n) {
+  for (int n = 0; n < kSampledConfigurations; ++n) {
     JointVector joints;
     for (int i = 0; i < 6; ++i) joints[i] = angle(random);
-    place(joints, width_max_ * n / (kPostures - 1), &poses);
+    place(joints, width_max_ * n / (kSampledConfigurations - 1), &poses);
     for (size_t k = 0; k < pairs.size(); ++k) {
       if (touching[k] != n) continue;
       const auto hit = [&] {
@@ -162,7 +162,7 @@ void CollisionArm::findSelfPairs() {
   }
 
   for (size_t k = 0; k < pairs.size(); ++k)
-    if (touching[k] < kPostures) self_pairs_.push_back(pairs[k]);
+    if (touching[k] < kSampledConfigurations) self_pairs_.push_back(pairs[k]);
 }
 
 }  // namespace monocular_eye_hand

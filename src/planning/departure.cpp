@@ -12,7 +12,7 @@ constexpr double kStep = 5e-4;  // of any point of the arm between two tests of 
 constexpr double kLengths[] = {0.01, 0.02, 0.05, 0.1};                // of a straight way out [m]
 constexpr double kWithdrawals[] = {0.1, 0.05};                        // out of a narrow place [m]
 constexpr double kRecoveries[] = {0.01, 0.02, 0.05, 0.1, 0.15, 0.2};  // out of a collision [m]
-constexpr int kMostMet = 20;                                          // pairs that meet where the arm stands
+constexpr int kMaxMet = 20;                                           // pairs that meet where the arm stands
 constexpr int kPartingSteps = 4;                                      // between two points of a way
 constexpr double kTurns[] = {0.05, 0.1, 0.2};                         // of a single joint [rad]
 
@@ -151,7 +151,7 @@ Departure planRecovery(const ToolArm& arm, const CollisionWorld& world, const Jo
 
   const CollisionWorld bare = trueShapes(world, touching);
   CollisionWorld parting = bare;
-  for (int k = 0; k < kMostMet; ++k) {
+  for (int k = 0; k < kMaxMet; ++k) {
     const CollisionPair met = parting.firstCollision(start);
     if (met.first.empty()) break;
     parting.allow(met.first, met.second);

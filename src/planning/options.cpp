@@ -23,9 +23,9 @@ void PathOptions::check() const {
 
 void CartesianOptions::check() const {
   within("deviation", deviation, 1e-6, 0.1, "1e-6 to 0.1 m");
-  within("turn_deviation", turn_deviation, 1e-6, 0.5, "1e-6 to 0.5 rad");
+  within("rotation_deviation", rotation_deviation, 1e-6, 0.5, "1e-6 to 0.5 rad");
   within("max_step", max_step, 1e-4, 1, "0.0001 to 1 m");
-  within("max_turn", max_turn, 1e-3, 1, "0.001 to 1 rad");
+  within("max_rotation", max_rotation, 1e-3, 1, "0.001 to 1 rad");
   within("joint_jump", joint_jump, 1e-3, 3, "0.001 to 3 rad");
   within("min_singularity", min_singularity, 0, 0.3, "0 to 0.3");
 }

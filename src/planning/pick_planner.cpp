@@ -96,7 +96,7 @@ class Planner {
         if (!carry.found()) continue;
 
         plan_.drop = int(k);
-        plan_.branch = arm_.arm.branch(way.approach.back());
+        plan_.configuration = arm_.arm.configuration(way.approach.back());
         compose(reach, way, carry, put);
         return true;
       }

@@ -71,7 +71,7 @@ class Placer {
       const JointPath carry = search(above);
       if (!carry.found()) continue;
       plan_.drop = k;
-      plan_.branch = arm_.arm.branch(way.lower.back());
+      plan_.configuration = arm_.arm.configuration(way.lower.back());
       compose(carry, way, released);
       return true;
     }

@@ -7,9 +7,9 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kWindow = 6;       // places within so much shape the parabola [px]
-constexpr int kFewest = 4;          // of them
-constexpr double kMostMoved = 0.5;  // [px]
+constexpr double kWindow = 6;      // places within so much shape the parabola [px]
+constexpr int kFewest = 4;         // of them
+constexpr double kMaxMoved = 0.5;  // [px]
 
 // h = slope t + curvature / 2 t^2 by least squares, t along the tangent, h along the normal.
 class Parabola {
@@ -74,7 +74,7 @@ void correctBlurBias(const Rigid3& pose, const Camera& camera, std::vector<Featu
   for (size_t i = 0; i < samples->size(); ++i) {
     FeatureSample& s = (*samples)[i];
     const double moved = 0.5 * s.appearance.blur * s.appearance.blur * bends[i];
-    s.line.uv -= std::clamp(moved, -kMostMoved, kMostMoved) * s.line.normal;
+    s.line.uv -= std::clamp(moved, -kMaxMoved, kMaxMoved) * s.line.normal;
   }
 }
 

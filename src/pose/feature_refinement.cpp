@@ -15,10 +15,10 @@ namespace {
 // How many observations it is worth what is known of a feature's errors before anything is seen.
 constexpr double kCommonWorth = 4, kSampleWorth = 4;
 constexpr double kSampleError = 0.04;  // of a sample by itself, at first [px]
-constexpr double kRotated = 0.45;  // displacement at an edge's ends by its rotation, over that of the whole
-constexpr double kLeastSpread = 0.03;  // [px]
-constexpr double kCorrelation = 3;     // neighbouring samples err alike: so many count as one
-constexpr double kOutlier = 1.5;       // residuals beyond this belong to something else [px]
+constexpr double kRotated = 0.45;    // displacement at an edge's ends by its rotation, over that of the whole
+constexpr double kMinSpread = 0.03;  // [px]
+constexpr double kCorrelation = 3;   // neighbouring samples err alike: so many count as one
+constexpr double kOutlier = 1.5;     // residuals beyond this belong to something else [px]
 constexpr int kIterations = 12;
 // What is known of a pose without any feature [m, rad]: keeps the inverse finite.
 constexpr double kPriorMetres = 1.0, kPriorRadians = 1.8;
@@ -169,7 +169,7 @@ double spread(const SamplesByFeature& samples, const Vector6d& motion) {
   std::vector<double> sizes;
   for (const auto& [group, of_feature] : samples)
     for (const Sample& s : of_feature) sizes.push_back(std::abs(s.residual + s.derivative.dot(motion)));
-  return std::max(kLeastSpread, median(&sizes) / 0.6745);
+  return std::max(kMinSpread, median(&sizes) / 0.6745);
 }
 
 // The motion of perturbed() that rotates the object about its free axis.

@@ -95,18 +95,18 @@ double MatchResiduals::scale() {
 NormalEquations MatchResiduals::accumulate(double cut) const {
   NormalEquations sum;
   double h[21] = {}, g[6] = {};
-  const double inverse = cut > 0 ? 1 / (cut * cut) : 0, most = cut * cut / 6;
+  const double inverse = cut > 0 ? 1 / (cut * cut) : 0, max_cost = cut * cut / 6;
   for (size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     const bool is_line = i < lines_.size();
     const double u = row.square * inverse;
     if (row.square < 0 || u >= 1) {
-      sum.cost += cut > 0 ? most : std::numeric_limits<double>::infinity();
+      sum.cost += cut > 0 ? max_cost : std::numeric_limits<double>::infinity();
       continue;
     }
 
     const double v = 1 - u, w = v * v;
-    sum.cost += cut > 0 ? most * (1 - w * v) : 0.5 * row.square;
+    sum.cost += cut > 0 ? max_cost * (1 - w * v) : 0.5 * row.square;
     add(w, row.r0, row.a0, row.rotated, h, g);
     if (!is_line) add(w, row.r1, row.a1, row.rotated, h, g);
 

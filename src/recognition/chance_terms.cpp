@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::array<double, 2> kShifts{11, 19};  // [px]
 constexpr int kDirections = 6;
-constexpr int kMostSamples = 120;  // looked at per shift
+constexpr int kMaxSamples = 120;  // looked at per shift
 
 }  // namespace
 
 void chanceTerms(const SearchImage& image, Candidate* candidate) {
   const std::vector<SeenSample>& contour = candidate->contour;
-  const size_t stride = 1 + contour.size() / kMostSamples;
-  double most = 0, sum = 0, sum_inner = 0, evidence = -1e9;
+  const size_t stride = 1 + contour.size() / kMaxSamples;
+  double max_share = 0, sum = 0, sum_inner = 0, evidence = -1e9;
   int shifts = 0, shared = 0, hits_of_all = 0;
   for (double reach : kShifts)
     for (int k = 0; k < kDirections; ++k) {
@@ -45,7 +45,7 @@ void chanceTerms(const SearchImage& image, Candidate* candidate) {
 
       if (looked < 10) continue;
       ++shifts;
-      most = std::max(most, double(hits) / looked);
+      max_share = std::max(max_share, double(hits) / looked);
       sum += double(hits) / looked;
       evidence = std::max(evidence, nats / looked);
       if (inner >= 4) {
@@ -54,7 +54,7 @@ void chanceTerms(const SearchImage& image, Candidate* candidate) {
     }
 
   EvidenceTerms& terms = candidate->terms;
-  terms.chance = most;
+  terms.chance = max_share;
   terms.chance_mean = shifts ? sum / shifts : 0;
   terms.chance_inner = shifts ? sum_inner / shifts : 0;
   terms.excess = shifts ? terms.mean - evidence : terms.mean;

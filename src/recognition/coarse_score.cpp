@@ -93,7 +93,7 @@ CoarseScore scorePose(const CoarseContour& contour, const Rigid3& pose, const Ca
                       const EvidenceMap& map) {
   constexpr CoarseScore kHopeless{-1e6f, 0};
   // Mean evidence after the first, second and fourth batch below which a pose is hopeless [nats].
-  constexpr std::array<float, 5> kLeastMean{-1e6f, -1.0f, -0.6f, -1e6f, -0.1f};
+  constexpr std::array<float, 5> kMinMean{-1e6f, -1.0f, -0.6f, -1e6f, -0.1f};
   const PoseInMap in_map(pose, camera, map);
   const EvidencePlanes& planes = map.full();
   Looks looks;
@@ -111,7 +111,7 @@ CoarseScore scorePose(const CoarseContour& contour, const Rigid3& pose, const Ca
       inside += looks.length[i];
       sum += looks.length[i] * float(value);
     }
-    if (batch < int(kLeastMean.size()) && sum < kLeastMean[size_t(batch)] * kEvidenceUnit * inside)
+    if (batch < int(kMinMean.size()) && sum < kMinMean[size_t(batch)] * kEvidenceUnit * inside)
       return kHopeless;
   }
 

@@ -18,13 +18,13 @@ struct ViewSample {
 /// The contour of a view as the coarse score reads it: every coordinate of the samples in a row, filled up to
 /// whole batches with samples of no length.
 struct CoarseContour {
-  static constexpr int kMost = 64;  ///< samples
-  static constexpr int kBatch = 8;  ///< samples looked at together
-  /// `samples`: at most kMost, ordered so that every prefix is spread over the contour; `step`: between
+  static constexpr int kMaxSamples = 64;  ///< samples
+  static constexpr int kBatch = 8;        ///< samples looked at together
+  /// `samples`: at most kMaxSamples, ordered so that every prefix is spread over the contour; `step`: between
   /// neighbours [m].
   CoarseContour(const std::vector<ViewSample>& samples, float step);
 
-  using Row = std::array<float, kMost>;
+  using Row = std::array<float, kMaxSamples>;
   std::array<Row, 3> p, tangent;  ///< object frame [m]; tangent: unit, of a sample that fills up 0
   int count = 0;                  ///< with those that fill up
   float step = 0;                 ///< [m]

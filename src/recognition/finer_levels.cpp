@@ -12,11 +12,11 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kRivals = 4;           // of each chosen candidate looked at again
-constexpr size_t kMostJudged = 100;  // candidates looked at again
-constexpr size_t kCompared = 10;     // of the best candidates tell which size resolves the contours better
-constexpr double kLikely = 0;        // log-odds, at either size: what is wrong at both tells nothing
-constexpr double kClear = 3;         // log-odds: surer is no better resolved
+constexpr int kRivals = 4;          // of each chosen candidate looked at again
+constexpr size_t kMaxJudged = 100;  // candidates looked at again
+constexpr size_t kCompared = 10;    // of the best candidates tell which size resolves the contours better
+constexpr double kLikely = 0;       // log-odds, at either size: what is wrong at both tells nothing
+constexpr double kClear = 3;        // log-odds: surer is no better resolved
 constexpr double kResolvedDiameter = 400;  // of a part's diameter: larger images tell no more [px]
 constexpr double kSmall = 1.25;            // times min_size: parts smaller than that are searched for again
 
@@ -33,7 +33,7 @@ std::vector<int> worthAnotherLook(const std::vector<Candidate>& candidates,
   std::stable_sort(worth.begin(), worth.end(), [&](int a, int b) {
     return rankScore(candidates[size_t(a)]) > rankScore(candidates[size_t(b)]);
   });
-  if (worth.size() > kMostJudged) worth.resize(kMostJudged);
+  if (worth.size() > kMaxJudged) worth.resize(kMaxJudged);
   return worth;
 }
 

@@ -62,7 +62,7 @@ std::array<uint8_t, 512> makeBinTable() {
 int templateEvidence(const ViewTemplate& shape, const ImageEdge& edge, const EvidencePlanes& map,
                      const std::array<uint8_t, 512>& bins) {
   constexpr std::array<int, 3> kEnds{4, 8, ViewTemplate::kSamples};
-  constexpr std::array<int, 3> kLeast{kAfter4, kAfter8, kNever};
+  constexpr std::array<int, 3> kMinSums{kAfter4, kAfter8, kNever};
   std::array<int, ViewTemplate::kSamples> places;
   int sum = 0;
   int first = 0;
@@ -78,7 +78,7 @@ int templateEvidence(const ViewTemplate& shape, const ImageEdge& edge, const Evi
       const int8_t seen = places[i] < 0 ? kOutside : map.value(places[i]);
       sum += seen == kOutside ? kOutsideValue : int(seen);  // NOLINT(bugprone-signed-char-misuse)
     }
-    if (sum < kLeast[part]) return kNever;
+    if (sum < kMinSums[part]) return kNever;
     first = kEnds[part];
   }
   return sum;

@@ -76,10 +76,10 @@ std::vector<Hypothesis> HypothesisPool::take(int count) {
   std::map<std::tuple<int, int, int, int, int>, int> seen;
   std::vector<Hypothesis> kept;
   const int directions = model_.object().views.directions;
-  float least = 0;  // evidence of the last one looked at: everything above it leaves the pool
+  float min_evidence = 0;  // evidence of the last one looked at: everything above it leaves the pool
   for (const Hypothesis& h : all) {
     if (int(kept.size()) >= count) break;
-    least = h.evidence;
+    min_evidence = h.evidence;
     const Eigen::Vector3d centre = h.camera_from_object * model_.model().centre();
     const Eigen::Vector2d uv = camera_.project(centre);
     const Eigen::Matrix3d in_view = h.camera_from_object.rotation * model_.viewRotation(h.view).transpose();
@@ -91,7 +91,7 @@ std::vector<Hypothesis> HypothesisPool::take(int count) {
     kept.push_back(h);
   }
 
-  best_.removeIf([&](const Hypothesis& h) { return h.evidence >= least; });
+  best_.removeIf([&](const Hypothesis& h) { return h.evidence >= min_evidence; });
   return kept;
 }
 

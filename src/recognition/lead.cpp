@@ -9,9 +9,9 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr double kLeast = -2, kMost = 8;  // of a lead; farther says no more [log-odds]
-constexpr size_t kOthersElsewhere = 2;    // better ones elsewhere that are passed over
-constexpr double kImprobable = 0;         // log-odds below which a candidate is no instance of its own
+constexpr double kMinLead = -2, kMaxLead = 8;  // of a lead; farther says no more [log-odds]
+constexpr size_t kOthersElsewhere = 2;         // better ones elsewhere that are passed over
+constexpr double kImprobable = 0;              // log-odds below which a candidate is no instance of its own
 
 // The value that a quarter of them lies below; the values come in another order.
 double lowerQuartile(std::vector<double>* values) {
@@ -21,7 +21,7 @@ double lowerQuartile(std::vector<double>* values) {
 }
 
 Lead leadOf(double own, std::vector<double> in_place, std::vector<double> elsewhere) {
-  Lead lead{kMost, kMost, kMost};
+  Lead lead{kMaxLead, kMaxLead, kMaxLead};
   if (!in_place.empty()) lead.in_place = leadOver(own, *std::max_element(in_place.begin(), in_place.end()));
 
   std::vector<double> improbable;
@@ -42,7 +42,7 @@ Lead leadOf(double own, std::vector<double> in_place, std::vector<double> elsewh
 }  // namespace
 
 double leadOver(double own_log_odds, double other_log_odds) {
-  return std::clamp(own_log_odds - other_log_odds, kLeast, kMost);
+  return std::clamp(own_log_odds - other_log_odds, kMinLead, kMaxLead);
 }
 
 std::vector<Lead> leadsAmong(const std::vector<Competitor>& competitors) {

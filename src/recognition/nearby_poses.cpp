@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDoubtfulFrom = 0.02,
                  kDoubtfulTo = 0.95;  // probabilities between which a candidate is doubtful
-constexpr size_t kMostTried = 10;     // doubtful candidates of an image
+constexpr size_t kMaxTried = 10;      // doubtful candidates of an image
 constexpr size_t kSides = 8;
 constexpr double kTilt = 8 * M_PI / 180;
 constexpr double kGain = 0.15;  // of probability, for which a candidate gives way
@@ -28,7 +28,7 @@ std::vector<size_t> doubtful(const std::vector<Candidate>& candidates) {
       order.push_back(i);
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return candidates[a].probability > candidates[b].probability; });
-  if (order.size() > kMostTried) order.resize(kMostTried);
+  if (order.size() > kMaxTried) order.resize(kMaxTried);
   return order;
 }
 

@@ -11,7 +11,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMostSegments = 600;  // tried as edges of a part
+constexpr size_t kMaxSegments = 600;   // tried as edges of a part
 constexpr double kExplainsAway = 0.9;  // only such objects explain features away during the search
 
 // A flag per segment: no surely right explanation claims it.
@@ -82,7 +82,7 @@ SearchState searchGroupings(const SearchTask& task, std::vector<Candidate> known
 SearchState searchEdges(const SearchTask& task, SearchState state, const std::vector<Explanation>& chosen,
                         WorkBudget* budget, StageLog* log) {
   const std::vector<char> usable = unexplainedSegments(task.image.features, state.candidates, chosen);
-  const std::vector<int> segments = mostTellingSegments(task.image, usable, kMostSegments);
+  const std::vector<int> segments = mostTellingSegments(task.image, usable, kMaxSegments);
   const Round round{"hypotheses from edges", task.options.refined_per_object, 0};
   return searchRound(task, std::move(state), round, budget, log,
                      [&](int object, HypothesisPool* pool, WorkBudget* part) {

@@ -13,7 +13,7 @@ constexpr int kGap = 9;      // gaps between crests below this are closed [cells
 // Shares of the object's diameter.
 constexpr double kShortest = 0.3;      // side: longer than what is straight of a circle
 constexpr double kCrests = 0.008;      // the outline departs so far from it
-constexpr double kOwnSamples = 0.015;  // samples so near to it are its own
+constexpr double kOwnSamples = 0.015;  // samples within this of it are its own
 
 // The cells that samples lie in, and those between neighbours.
 cv::Mat coveredCells(const FlatView& flat, double cell) {

@@ -18,15 +18,15 @@ constexpr double kAnswersWithin = 0.75;  // from its edge [px]
 constexpr double kMinEdgeCosine = 0.96;  // |cos| of the angle to its edge
 constexpr double kUsualPrecise = 0.25;
 constexpr double kPriorPrecise = 4, kPriorContrast = 3;  // [samples]
-constexpr double kMostStrength = 6;                      // standard deviations of the noise
-constexpr double kLeastNoise = 0.7;                      // of the 8 bits [grey levels]
+constexpr double kMaxStrength = 6;                       // standard deviations of the noise
+constexpr double kMinNoise = 0.7;                        // of the 8 bits [grey levels]
 
 // Faces.
 constexpr size_t kMinTurnedPixels = 40;
-constexpr float kOtherWay = 0.94f;    // cos of the angle between faces that look different ways
-constexpr double kLeastResidual = 2;  // [grey levels]
-constexpr double kPriorArea = 20;     // [px^2]
-constexpr double kManySamples = 5;    // from which on more of the same says less
+constexpr float kOtherWay = 0.94f;  // cos of the angle between faces that look different ways
+constexpr double kMinResidual = 2;  // [grey levels]
+constexpr double kPriorArea = 20;   // [px^2]
+constexpr double kManySamples = 5;  // from which on more of the same says less
 
 // Grey of the rectified image between its pixels; `beside` tells what lies outside.
 double greyAt(const SearchImage& image, const Eigen::Vector2d& uv, double beside) {
@@ -83,7 +83,7 @@ struct OwnLines {
 };
 
 OwnLines ownLines(const SearchImage& image, const Candidate& candidate, const Candidate& other) {
-  const double noise = std::max(kLeastNoise, 0.7 * image.grey_noise);
+  const double noise = std::max(kMinNoise, 0.7 * image.grey_noise);
   OwnLines own;
   for (const SeenSample& s : candidate.contour) {
     if (!s.inside || drawnBy(other.contour, s)) continue;
@@ -92,7 +92,7 @@ OwnLines ownLines(const SearchImage& image, const Candidate& candidate, const Ca
     ++own.samples;
     own.precise += preciselyAnswered(image, s);
     own.contrast += std::log((on * on + noise * noise) / (beside * beside + noise * noise));
-    own.strength += std::min(kMostStrength, on / noise);
+    own.strength += std::min(kMaxStrength, on / noise);
   }
   return own;
 }
@@ -100,7 +100,7 @@ OwnLines ownLines(const SearchImage& image, const Candidate& candidate, const Ca
 // How much less of the greys `a` leaves unexplained than `b`, where the two look different ways.
 double shadingContest(const LitFaces& a, const LitFaces& b) {
   if (std::min(a.by_pixel.size(), b.by_pixel.size()) < kMinTurnedPixels) return 0;
-  const double scale = std::max(kLeastResidual, 1.4826 * std::min(a.light.residual, b.light.residual));
+  const double scale = std::max(kMinResidual, 1.4826 * std::min(a.light.residual, b.light.residual));
   const auto misfit = [scale](const LitFaces& faces, const ShadedPixel& pixel) {
     const double residual = (pixel.grey - faces.light.grey(pixel.normal)) / scale;
     return std::log(1 + residual * residual / 2);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kOneLine = 2.5;             // lines nearer than this are one in the image [px]
 constexpr double kBeside = 3.0;              // a sample stands for so much of its line to either side [px]
 constexpr double kMinNeighbourCosine = 0.9;  // ... when they run the same way: |cos| of the angle between
-constexpr double kCrowd = 10;                // so near to a ring other lines crowd it [px]
+constexpr double kCrowd = 10;                // within this of a ring other lines crowd it [px]
 constexpr double kOutline = 10;              // strength of a silhouette: above any dihedral [rad]
 
 double strength(const ObjectModel& model, const SeenSample& s) {

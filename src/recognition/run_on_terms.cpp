@@ -9,7 +9,7 @@ namespace monocular_eye_hand {
 namespace {
 
 constexpr double kShortestEdge = 12;      // in the image, of those whose ends are looked at [px]
-constexpr double kNearEnd = 18;           // samples so near to an end tell whether the edge is there [px]
+constexpr double kNearEnd = 18;           // samples within this of an end tell whether the edge is there [px]
 constexpr double kFirstLook = 4;          // beyond the end [px]
 constexpr double kLookStep = 2;           // between looks [px]
 constexpr double kSameLineCosine = 0.94;  // |cos| of the angle between lines that run the same way

@@ -15,8 +15,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMostCompared = 2000;  // vertices that tell whether two poses coincide
-constexpr int kLookupSide = 24;         // cells along one side of a cube face
+constexpr size_t kMaxCompared = 2000;  // vertices that tell whether two poses coincide
+constexpr int kLookupSide = 24;        // cells along one side of a cube face
 constexpr double kCoarseSize =
     160;  // a part's diameter where its lines are told apart for the coarse score [px]
 constexpr double kSquare = 0.15;     // sides that differ by less of the larger one are taken for each other
@@ -94,7 +94,7 @@ SearchModel::SearchModel(const KnownObject& object)
 
     std::vector<double> weight(flat.place.size());
     for (size_t i = 0; i < weight.size(); ++i) weight[i] = 1e3 + flat.place[i].norm();
-    const std::vector<int> order = spreadOrder(flat.place, weight, CoarseContour::kMost);
+    const std::vector<int> order = spreadOrder(flat.place, weight, CoarseContour::kMaxSamples);
     std::vector<ViewSample> samples;
     for (int i : order) {
       const ContourSample& s = resolved.contour[i];
@@ -140,7 +140,7 @@ bool SearchModel::coincide(const Camera& camera, const Rigid3& a, const Rigid3& 
   const double distance = (a * model().centre()).norm();
   const double limit = resolved * distance / focalLength(camera);
   const std::vector<Eigen::Vector3d>& points = model().mesh.vertices;
-  const size_t stride = 1 + points.size() / kMostCompared;
+  const size_t stride = 1 + points.size() / kMaxCompared;
   const Rigid3 a_to_b = b.inverse() * a, b_to_a = a.inverse() * b;
   for (size_t i = 0; i < points.size(); i += stride) {
     if (surface_->distance(a_to_b * points[i], 2 * limit) > limit) return false;

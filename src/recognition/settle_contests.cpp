@@ -13,14 +13,14 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMostContestants = 6;
+constexpr size_t kMaxContestants = 6;
 constexpr double kWorthContest = 0.05;     // probability of the likeliest, else nothing is reported anyway
 constexpr double kFarBehind = 4;           // log-odds behind the likeliest: no contest
 constexpr double kSamePlace = 0.35;        // of the diameter between the centres
 constexpr double kOtherPoseDistance = 10;  // nearer poses are taken for one [px]
 constexpr double kResolved = 2.5;          // ... and those whose surfaces lie nowhere farther apart [px]
 constexpr double kNoRival = -1e3;          // log-odds behind everything
-constexpr int kMostRays = 2500;            // of one contestant whose faces are looked at
+constexpr int kMaxContestRays = 2500;      // of one contestant whose faces are looked at
 
 // The contestant whose pose a candidate has, or which it is; -1: none.
 int contestantOf(const SearchTask& task, const std::vector<Candidate>& candidates,
@@ -60,7 +60,7 @@ std::vector<int> contestants(const SearchTask& task, const std::vector<Candidate
 
   std::vector<int> competing;
   for (const auto& [log_odds, candidate] : in_place) {
-    if (competing.size() == kMostContestants || log_odds < in_place.front().first - kFarBehind) break;
+    if (competing.size() == kMaxContestants || log_odds < in_place.front().first - kFarBehind) break;
     if (contestantOf(task, candidates, competing, candidate) < 0) competing.push_back(candidate);
   }
   return competing;
@@ -107,7 +107,7 @@ std::vector<double> compete(const SearchTask& task, const std::vector<int>& comp
                             std::vector<Candidate>* candidates) {
   cv::Rect box;
   for (int c : competing) box |= (*candidates)[size_t(c)].bounding_box;
-  const int step = latticeStep(box, kMostRays);
+  const int step = latticeStep(box, kMaxContestRays);
   std::vector<Contestant> contestants;
   for (int c : competing) {
     const Candidate& candidate = (*candidates)[size_t(c)];
@@ -156,18 +156,19 @@ double probabilityTogether(const SearchTask& task, const std::vector<Candidate>&
 void share(const SearchTask& task, const std::vector<int>& competing, const std::vector<Bystander>& around,
            double together, const std::vector<double>& shares, std::vector<Candidate>* candidates) {
   const double winners_share = *std::max_element(shares.begin(), shares.end());
-  double least = 1;
+  double min_probability = 1;
   for (size_t k = 0; k < competing.size(); ++k) {
     Candidate& contestant = (*candidates)[size_t(competing[k])];
     contestant.probability = together * shares[k];
     contestant.winners_share = winners_share;
-    least = std::min(least, contestant.probability);
+    min_probability = std::min(min_probability, contestant.probability);
   }
 
   for (const Bystander& other : around) {
     Candidate& rival = (*candidates)[size_t(other.candidate)];
     if (!inPlaceOf(task, (*candidates)[size_t(competing.front())], rival)) continue;
-    const double bound = other.contestant < 0 ? least : (*candidates)[size_t(other.contestant)].probability;
+    const double bound =
+        other.contestant < 0 ? min_probability : (*candidates)[size_t(other.contestant)].probability;
     rival.probability = std::min(rival.probability, bound);
     rival.winners_share = winners_share;
   }

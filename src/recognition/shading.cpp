@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kLeastPixels = 40;
+constexpr size_t kMinPixels = 40;
 constexpr int kRounds = 4;  // of weighing pixels by their residual
 constexpr double kDamping =
     1e-3;  // per pixel, on the light: faces that all look the same way tell nothing of it
@@ -48,7 +48,7 @@ FittedLight fitLight(const std::vector<ShadedPixel>& pixels) {
 }
 
 double shadingExplained(const std::vector<ShadedPixel>& pixels) {
-  if (pixels.size() < kLeastPixels) return 0;
+  if (pixels.size() < kMinPixels) return 0;
   const FittedLight fitted = fitLight(pixels);
   std::vector<float> greys;
   for (const ShadedPixel& pixel : pixels) greys.push_back(pixel.grey);

@@ -29,12 +29,12 @@ struct Height {
 Height lowestHeight(const SupportPlane& plane, const ObjectModel& model, const RefinedPose& pose) {
   const Rigid3& camera_from_object = pose.camera_from_object;
   const Eigen::Vector3d up = camera_from_object.rotation.transpose() * plane.normal;
-  double least = std::numeric_limits<double>::max();
+  double min_along = std::numeric_limits<double>::max();
   Eigen::Vector3d lowest = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& vertex : model.mesh.vertices) {
     const double along = up.dot(vertex);
-    if (along >= least) continue;
-    least = along;
+    if (along >= min_along) continue;
+    min_along = along;
     lowest = vertex;
   }
 
@@ -42,7 +42,7 @@ Height lowestHeight(const SupportPlane& plane, const ObjectModel& model, const R
   Vector6d gradient;
   gradient << plane.normal, arm.cross(plane.normal);
   const double variance = gradient.dot(pose.covariance * gradient);
-  return {plane.normal.dot(camera_from_object.translation) + least - plane.offset,
+  return {plane.normal.dot(camera_from_object.translation) + min_along - plane.offset,
           std::sqrt(std::max(0.0, variance))};
 }
 
@@ -55,14 +55,14 @@ double angleBetweenUnits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 double tiltFromRest(const ObjectModel& model, const std::vector<Eigen::Vector3d>& up_at_rest,
                     const Eigen::Vector3d& up) {
   if (model.symmetries.sphere) return 0;
-  double least = M_PI;
+  double min_tilt = M_PI;
   for (const Eigen::Vector3d& rest : up_at_rest) {
-    least = std::min(least, angleBetweenUnits(rest, up));
+    min_tilt = std::min(min_tilt, angleBetweenUnits(rest, up));
     if (!model.symmetries.axis) continue;
     const Eigen::Vector3d& axis = model.symmetries.axis->direction;
-    least = std::min(least, std::abs(angleBetweenUnits(rest, axis) - angleBetweenUnits(up, axis)));
+    min_tilt = std::min(min_tilt, std::abs(angleBetweenUnits(rest, axis) - angleBetweenUnits(up, axis)));
   }
-  return least;
+  return min_tilt;
 }
 
 // Sigma of the tilt: of the rotations about the two axes in the plane, the worse one.

@@ -10,7 +10,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMostSides = 12;  // parts whose sides are shown
+constexpr size_t kMaxSides = 12;  // parts whose sides are shown
 
 std::string fixed(double value, int digits) {
   if (!std::isfinite(value)) return "\u2013";
@@ -182,10 +182,10 @@ class EvaluationPageWriter {
       const auto bins = recallBySide(run_.outcomes, object);
       const bool wanted =
           std::any_of(bins.begin(), bins.end(), [](const RecallBin& bin) { return bin.found.whole > 0; });
-      if (wanted && ++shown <= kMostSides) page_.chart(barsOf(model.name, bins), "");
+      if (wanted && ++shown <= kMaxSides) page_.chart(barsOf(model.name, bins), "");
     }
     page_.endGrid();
-    if (shown > kMostSides) page_.paragraph(fmt::format("{} more parts are not shown.", shown - kMostSides));
+    if (shown > kMaxSides) page_.paragraph(fmt::format("{} more parts are not shown.", shown - kMaxSides));
   }
 
   void calibration() {

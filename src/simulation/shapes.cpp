@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "monocular_eye_hand/geometry/error.h"
@@ -8,15 +10,13 @@ namespace {
 
 void requirePositive(double value, const char* what) {
   if (!(value > 0) || !std::isfinite(value))
-    throw BadInput(std::string("synthetic shape: ") + what + " = " + std::to_string(value) +
-                   " must be positive");
+    throw BadInput(fmt::format("synthetic shape: {} = {:g} must be positive", what, value));
 }
 
 // A surface of revolution about z: rings of (radius, z) from bottom to top; a radius of 0 closes it in a
 // point.
 Mesh revolve(const std::vector<Eigen::Vector2d>& profile, int segments) {
-  if (segments < 3)
-    throw BadInput("synthetic shape: segments = " + std::to_string(segments) + " must be >= 3");
+  if (segments < 3) throw BadInput(fmt::format("synthetic shape: segments = {} must be >= 3", segments));
 
   Mesh mesh;
   std::vector<int> first(profile.size());
@@ -71,7 +71,7 @@ Mesh coneMesh(double base_radius, double top_radius, double height, int segments
 
 Mesh sphereMesh(double radius, int rings) {
   requirePositive(radius, "sphere radius");
-  if (rings < 2) throw BadInput("synthetic shape: rings = " + std::to_string(rings) + " must be >= 2");
+  if (rings < 2) throw BadInput(fmt::format("synthetic shape: rings = {} must be >= 2", rings));
   std::vector<Eigen::Vector2d> profile;
   for (int k = 0; k <= rings; ++k) {
     const double angle = M_PI * k / rings;

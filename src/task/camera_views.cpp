@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/look_at.h"
@@ -12,39 +13,42 @@ namespace {
 
 constexpr int kRolls = 12;
 constexpr int kDirections = 5;         // then from the first one again
-constexpr double kJointWeight = 0.25;  // of a joint's way against the departure from the wished direction
+constexpr double kJointWeight = 0.25;  // of a joint's path against the departure from the desired view
 constexpr double kMinWrist = 0.05;     // |sin q5|: nearer to the singularity the arm cannot move on
 
-struct Wish {
-  double azimuth, elevation, distance;
+struct DesiredView {
+  double azimuth, elevation, distance;  // of the camera from the target [rad], [m]
 };
 
 /// 0, 1, -1, 2, -2, ...
 int alternating(int i) { return i % 2 ? (i + 1) / 2 : -i / 2; }
 
-Wish wishOf(const TaskView& view, const Eigen::Vector3d& target, const CameraViewOptions& o) {
+DesiredView desiredView(const TaskView& view, const Eigen::Vector3d& target, const CameraViewOptions& o) {
   const double towards_robot = std::atan2(-target.y(), -target.x());
   if (view.search)
-    return {towards_robot + alternating(view.direction % kDirections) * o.overview_turn, o.search_elevation,
-            o.search_distance};
+    return {towards_robot + alternating(view.direction % kDirections) * o.overview_azimuth_step,
+            o.search_elevation, o.search_distance};
   if (!view.near)
-    return {towards_robot + alternating(view.direction % kDirections) * o.overview_turn, o.overview_elevation,
-            o.overview_distance};
-  return {towards_robot + alternating(view.direction % kDirections) * o.near_turn, o.near_elevation,
-          std::max(o.nearest, o.near_distance - view.approach * o.near_step)};
+    return {towards_robot + alternating(view.direction % kDirections) * o.overview_azimuth_step,
+            o.overview_elevation, o.overview_distance};
+  return {towards_robot + alternating(view.direction % kDirections) * o.near_azimuth_step, o.near_elevation,
+          std::max(o.min_distance, o.near_distance - view.approach * o.near_step)};
 }
 
-/// Largest way of a joint to the nearest posture; negative when the pose is out of reach.
-double wayTo(const Rigid3& base_from_tool0, const Puma560& arm, const JointVector& current) {
+/// How far a joint must turn to the nearest configuration that has the pose [rad]; none when it is out of
+/// reach.
+std::optional<double> pathCost(const Rigid3& base_from_tool0, const Puma560& arm,
+                               const JointVector& current) {
   ArmSolutions solutions;
   arm.inverse(base_from_tool0, current, &solutions);
-  double least = -1;
+
+  std::optional<double> min_path;
   for (const ArmSolution& solution : solutions) {
     if (std::abs(std::sin(solution.joints[4])) < kMinWrist) continue;
-    const double way = (solution.joints - current).cwiseAbs().maxCoeff();
-    if (least < 0 || way < least) least = way;
+    const double path = (solution.joints - current).cwiseAbs().maxCoeff();
+    if (!min_path || path < *min_path) min_path = path;
   }
-  return least;
+  return min_path;
 }
 
 }  // namespace
@@ -55,15 +59,16 @@ void CameraViewOptions::check() const {
   require(search_elevation > 0 && search_elevation <= M_PI / 2, "search_elevation", search_elevation,
           "above 0 and at most pi / 2");
   requirePositive("near_distance", near_distance);
-  require(nearest > 0 && nearest <= near_distance, "nearest", nearest, "positive and at most near_distance");
+  require(min_distance > 0 && min_distance <= near_distance, "min_distance", min_distance,
+          "positive and at most near_distance");
   requireNotNegative("near_step", near_step);
   require(overview_elevation > 0 && overview_elevation <= M_PI / 2, "overview_elevation", overview_elevation,
           "above 0 and at most pi / 2");
   require(near_elevation > 0 && near_elevation <= M_PI / 2, "near_elevation", near_elevation,
           "above 0 and at most pi / 2");
-  requireFinite("overview_turn", overview_turn);
-  requireFinite("near_turn", near_turn);
-  require(most >= 1, "most", most, "at least 1");
+  requireFinite("overview_azimuth_step", overview_azimuth_step);
+  requireFinite("near_azimuth_step", near_azimuth_step);
+  require(max_views >= 1, "max_views", max_views, "at least 1");
 }
 
 Eigen::Vector3d lookTarget(const TaskView& view, const std::optional<MappedObject>& frame,
@@ -81,7 +86,7 @@ std::vector<Rigid3> cameraViews(const TaskView& view, const Eigen::Vector3d& tar
                                 const CameraViewOptions& options) {
   options.check();
   if (!target.allFinite()) throw BadInput("the point to look at is not finite");
-  const Wish wish = wishOf(view, target, options);
+  const DesiredView desired = desiredView(view, target, options);
   const Rigid3 camera_from_tool0 = tool0_from_camera.inverse();
 
   struct Ranked {
@@ -92,16 +97,16 @@ std::vector<Rigid3> cameraViews(const TaskView& view, const Eigen::Vector3d& tar
   for (double turn : {0.0, 0.3, -0.3, 0.6, -0.6, 1.0, -1.0, 1.5, -1.5})
     for (double lift : {0.0, 0.15, -0.15, 0.3, -0.3})
       for (double nearer : {1.0, 0.88}) {
-        const double elevation = wish.elevation + lift;
-        const double distance = std::max(options.nearest, nearer * wish.distance);
+        const double elevation = desired.elevation + lift;
+        const double distance = std::max(options.min_distance, nearer * desired.distance);
         if (elevation <= 0 || elevation >= M_PI / 2) continue;
         const double departure =
-            std::abs(turn) * std::cos(elevation) + std::abs(lift) + (1 - distance / wish.distance);
+            std::abs(turn) * std::cos(elevation) + std::abs(lift) + (1 - distance / desired.distance);
         for (int k = 0; k < kRolls; ++k) {
           const Rigid3 pose =
-              lookFrom(wish.azimuth + turn, elevation, distance, target, 2 * M_PI * k / kRolls);
-          const double way = wayTo(pose * camera_from_tool0, arm, current);
-          if (way >= 0) ranked.push_back({pose, departure + kJointWeight * way});
+              lookFrom(desired.azimuth + turn, elevation, distance, target, 2 * M_PI * k / kRolls);
+          const std::optional<double> path = pathCost(pose * camera_from_tool0, arm, current);
+          if (path) ranked.push_back({pose, departure + kJointWeight * *path});
         }
       }
 
@@ -109,7 +114,7 @@ std::vector<Rigid3> cameraViews(const TaskView& view, const Eigen::Vector3d& tar
                    [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
   std::vector<Rigid3> poses;
   for (const Ranked& r : ranked)
-    if (int(poses.size()) < options.most) poses.push_back(r.base_from_camera);
+    if (int(poses.size()) < options.max_views) poses.push_back(r.base_from_camera);
   return poses;
 }
 

@@ -77,7 +77,7 @@ bool ClearFrameTask::step() {
 void ClearFrameTask::lookAround() {
   if (searching_) return search();
   if (overview_ == 0 && failed_looks_ == 0) {
-    if (result_.rounds == options_.most_rounds) return finishRound();
+    if (result_.rounds == options_.max_rounds) return finishRound();
     ++result_.rounds;
   }
   TaskView view;
@@ -436,7 +436,7 @@ void ClearFrameTask::finishRound() {
     }
     if (object.outcome == ObjectOutcome::kWaiting) {
       object.outcome = ObjectOutcome::kLeft;
-      object.reason = fmt::format("the task ended after most_rounds = {}", options_.most_rounds);
+      object.reason = fmt::format("the task ended after max_rounds = {}", options_.max_rounds);
     }
     if (object.outcome == ObjectOutcome::kDoubt)
       doubts += (doubts.empty() ? "; in doubt: " : ", ") + label(object.object) + " (" + object.reason + ")";

@@ -6,8 +6,8 @@
 namespace monocular_eye_hand {
 namespace {
 
-void requireAtLeast(const char* field, double value, double least) {
-  require(value >= least, field, value, fmt::format("{:g} or more", least));
+void requireAtLeast(const char* field, double value, double min_value) {
+  require(value >= min_value, field, value, fmt::format("{:g} or more", min_value));
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ void ClearFrameOptions::check() const {
   requireAtLeast("blocked_rounds", blocked_rounds, 1);
   requireAtLeast("pick_attempts", pick_attempts, 1);
   requireAtLeast("candidates", candidates, 1);
-  requireAtLeast("most_rounds", most_rounds, 1);
+  requireAtLeast("max_rounds", max_rounds, 1);
 }
 
 std::string toString(TaskStage stage) {

@@ -8,9 +8,9 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/simulation/random_picture.h"
-#include "monocular_eye_hand/simulation/render.h"
-#include "monocular_eye_hand/simulation/truth.h"
+#include "monocular_eye_hand/simulation/render/render.h"
+#include "monocular_eye_hand/simulation/render/truth.h"
+#include "monocular_eye_hand/simulation/scenes/random_picture.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -7,7 +7,7 @@
 #include "monocular_eye_hand/drawing/canvas.h"
 #include "monocular_eye_hand/geometry/look_at.h"
 #include "monocular_eye_hand/report/result_drawing.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 
 namespace monocular_eye_hand {
 namespace {

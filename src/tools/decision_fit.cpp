@@ -14,7 +14,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr int kMostSteps = 60;
+constexpr int kMaxSteps = 60;
 constexpr double kContestPrior = 1;  // on the weights of the standardised differences
 constexpr double kLeadPrior = 1;     // on the weights of the lead: few chosen ones change them little
 constexpr double kLongestStep = 3;   // of any weight of a standardised term, in one step
@@ -68,7 +68,7 @@ Eigen::VectorXd logisticFit(const Eigen::MatrixXd& a, const Eigen::VectorXd& rig
                             const Eigen::VectorXd& weight, const Eigen::VectorXd& penalty,
                             const Eigen::VectorXd& start) {
   Eigen::VectorXd solution = start;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Eigen::VectorXd p = (a * solution).unaryExpr(&logistic);
     const Eigen::VectorXd curvature =
         weight.cwiseProduct(p.cwiseProduct(Eigen::VectorXd::Ones(a.rows()) - p));

@@ -11,9 +11,9 @@
 #include "monocular_eye_hand/io/camera_file.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
 #include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/simulation/random_scene.h"
-#include "monocular_eye_hand/simulation/render.h"
-#include "monocular_eye_hand/simulation/truth.h"
+#include "monocular_eye_hand/simulation/render/render.h"
+#include "monocular_eye_hand/simulation/render/truth.h"
+#include "monocular_eye_hand/simulation/scenes/random_scene.h"
 #include "tools/bop_output.h"
 #include "tools/demo_scenes.h"
 

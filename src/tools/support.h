@@ -5,7 +5,7 @@
 
 #include "monocular_eye_hand/recognition/options.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): of the library
 class App;
 }
 

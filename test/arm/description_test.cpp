@@ -41,6 +41,7 @@ TEST(ArmDescription, ChainIsTheKinematics) {
       EXPECT_LT((link.rotation.col(2) - links[size_t(i) - 1].rotation.col(2)).norm(), 1e-12);
     }
   }
+
   EXPECT_NO_THROW(requireSameArm(description(), arm));
 }
 

@@ -129,6 +129,7 @@ TEST_F(JointHistoryTest, LeavesOutWhatIsBroken) {
   joints.names[3] = "other";
   history_.add(joints);
   EXPECT_THAT(history_.problem(), HasSubstr("no position of d"));
+
   joints = sample(100, 0.2);
   joints.positions.resize(3);  // shorter than the names
   history_.add(joints);

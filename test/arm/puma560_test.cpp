@@ -65,7 +65,7 @@ TEST(Puma560, SingularityIsTheDeterminant) {
   EXPECT_LT(arm.singularity(stretched).elbow, 1e-15);
 }
 
-TEST(Puma560, InverseFindsTheJointsItCameFromWithTheirBranch) {
+TEST(Puma560, InverseFindsTheJointsItCameFromWithTheirConfiguration) {
   Random random(4);
   const Puma560 arm;
   ArmSolutions found;
@@ -77,15 +77,16 @@ TEST(Puma560, InverseFindsTheJointsItCameFromWithTheirBranch) {
     arm.inverse(arm.baseFromTool0(q), JointVector::Zero(), &found);
     int same = 0;
     for (const ArmSolution& solution : found) {
-      EXPECT_EQ(toString(arm.branch(solution.joints)), toString(solution.branch));
+      EXPECT_EQ(toString(arm.configuration(solution.joints)), toString(solution.configuration));
       EXPECT_TRUE(arm.withinLimits(solution.joints));
-      seen.insert(toString(solution.branch));
+      seen.insert(toString(solution.configuration));
       if (largestDifference(solution.joints, q) < 1e-9) ++same;
     }
     EXPECT_EQ(same, 1) << q.transpose();
     for (int i = 0; i < found.size(); ++i)
       for (int j = 0; j < i; ++j) EXPECT_GT(largestDifference(found[i].joints, found[j].joints), 1e-6);
   }
+
   EXPECT_EQ(seen.size(), 8u);
 }
 
@@ -101,13 +102,14 @@ TEST(Puma560, EveryTurnInsideTheLimits) {
   ArmSolutions found;
   arm.inverse(arm.baseFromTool0(q), q, &found);
   int turns = 0;
-  for (const ArmSolution& solution : found) turns += solution.branch == arm.branch(q);
+  for (const ArmSolution& solution : found) turns += solution.configuration == arm.configuration(q);
   EXPECT_EQ(turns, 2 * 2 * 2);
+
   // At an angle of zero each of the three joints has three turns, two of them on the limits.
   q << 0, 0.4, -0.9, 0, 0.6, 0;
   arm.inverse(arm.baseFromTool0(q), q, &found);
   turns = 0;
-  for (const ArmSolution& solution : found) turns += solution.branch == arm.branch(q);
+  for (const ArmSolution& solution : found) turns += solution.configuration == arm.configuration(q);
   EXPECT_EQ(turns, 3 * 3 * 3);
 }
 
@@ -140,7 +142,7 @@ TEST(Puma560, OutOfReachIsEmpty) {
   q[4] = 1.8;  // beyond joint 5's limit, and its flip too
   q[3] = 0.1;
   arm.inverse(arm.baseFromTool0(q), JointVector::Zero(), &found);
-  for (const ArmSolution& solution : found) EXPECT_NE(solution.branch.shoulder, Shoulder::kRight);
+  for (const ArmSolution& solution : found) EXPECT_NE(solution.configuration.shoulder, Shoulder::kRight);
 }
 
 TEST(Puma560, LimitsAreReached) {
@@ -180,12 +182,12 @@ TEST(Puma560, RefusesWhatIsNoPose) {
   EXPECT_FALSE(arm.withinLimits(nan));
 }
 
-TEST(Puma560, BranchNames) {
+TEST(Puma560, ConfigurationNames) {
   for (Shoulder shoulder : {Shoulder::kRight, Shoulder::kLeft})
     for (Elbow elbow : {Elbow::kUp, Elbow::kDown})
       for (Wrist wrist : {Wrist::kPositive, Wrist::kNegative}) {
-        const Branch branch{shoulder, elbow, wrist};
-        EXPECT_EQ(branchOf(toString(branch)), branch);
+        const ArmConfiguration configuration{shoulder, elbow, wrist};
+        EXPECT_EQ(branchOf(toString(configuration)), configuration);
       }
   EXPECT_EQ(toString({Shoulder::kLeft, Elbow::kDown, Wrist::kNegative}), "left-down-negative");
   EXPECT_THAT(refusal([] { branchOf("lefty"); }), HasSubstr("'lefty' is no branch"));

@@ -169,6 +169,7 @@ TEST(ArmShapes, NeighboursDoNotTouch) {
                                                             {"link5", "link6"},
                                                             {"gripper_base", "finger_left"},
                                                             {"gripper_base", "finger_right"}};
+
   for (const auto& [a, b] : neighbours)
     for (int k = 0; k <= 6; ++k) {
       JointVector q;
@@ -202,6 +203,7 @@ TEST(ArmShapes, CameraSeesPastTheGripper) {
           in_image += std::abs(u) < 320 && std::abs(v) < 240;
         }
   }
+
   EXPECT_GT(samples, 1000);
   EXPECT_EQ(in_image, 0);
   EXPECT_GT(nearest_to_centre, 240);

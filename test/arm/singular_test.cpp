@@ -68,6 +68,7 @@ TEST(Puma560Inverse, ExactWithOtherLengths) {
   options.d3 = 0.149;
   options.d4 = 0.4331;
   options.d6 = 0.0558;
+
   for (double d3 : {0.149, -0.149, 0.0}) {
     options.d3 = d3;
     const Puma560 arm(options);
@@ -89,6 +90,7 @@ TEST(Puma560Inverse, StraightWristKeepsJoint4) {
   const Puma560 arm;
   Random random(8);
   ArmSolutions found;
+
   for (int k = 0; k < 500; ++k) {
     JointVector q = randomJoints(random, arm.options());
     q[4] = 0;
@@ -99,7 +101,7 @@ TEST(Puma560Inverse, StraightWristKeepsJoint4) {
     for (const ArmSolution& s : found) {
       if (std::abs(s.joints[4]) > 1e-6) continue;  // another shoulder or elbow, with a bent wrist
       EXPECT_EQ(s.joints[4], 0);
-      EXPECT_EQ(s.branch.wrist, Wrist::kPositive);
+      EXPECT_EQ(s.configuration.wrist, Wrist::kPositive);
       kept += s.joints[3] == current[3];
     }
     EXPECT_GE(kept, 1);  // a turn of joint 6 is always left
@@ -124,6 +126,7 @@ TEST(Puma560Inverse, StraightWristMovesJoint4AsLittleAsJoint6Asks) {
     EXPECT_NEAR(s.joints[3], 0.8, 1e-12);
     EXPECT_NEAR(s.joints[5], 0.5, 1e-12);
   }
+
   EXPECT_EQ(straight, 1);
 }
 
@@ -142,9 +145,10 @@ TEST(Puma560Inverse, WristTurnedBackOnItself) {
   expectExact(worst);
 }
 
-TEST(Puma560Inverse, PosturesThatMeetAreOne) {
+TEST(Puma560Inverse, ConfigurationsThatMeetAreOne) {
   const Puma560 arm;
   ArmSolutions found;
+
   // Beyond the stretched arm by less than the tolerance: one elbow.
   JointVector q = JointVector::Zero();
   q[1] = 0.3;
@@ -160,7 +164,7 @@ TEST(Puma560Inverse, PosturesThatMeetAreOne) {
   arm.inverse(beyond, q, &found);
   ASSERT_FALSE(found.empty());
   for (const ArmSolution& s : found) {
-    EXPECT_EQ(s.branch.elbow, Elbow::kUp);
+    EXPECT_EQ(s.configuration.elbow, Elbow::kUp);
     EXPECT_LE((arm.baseFromTool0(s.joints).translation - beyond.translation).norm(), 1e-12);
   }
   beyond.translation = stretched.translation + 1e-9 * outwards;

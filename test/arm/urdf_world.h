@@ -49,6 +49,7 @@ inline Mesh prismMesh(const Eigen::Vector3d& size, bool round) {
     mesh.vertices.emplace_back(x, y, -size.z() / 2);
     mesh.vertices.emplace_back(x, y, size.z() / 2);
   }
+
   for (int i = 0; i < sides; ++i) {
     const int a = 2 * i, b = 2 * ((i + 1) % sides);
     mesh.triangles.push_back({a, b, b + 1});

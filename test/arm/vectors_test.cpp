@@ -37,7 +37,7 @@ Puma560 wristArm() {
   return Puma560(options);
 }
 
-Branch branch(const json& solution) {
+ArmConfiguration configuration(const json& solution) {
   return {solution.at("arm") == "r" ? Shoulder::kRight : Shoulder::kLeft,
           solution.at("elbow") == "u" ? Elbow::kUp : Elbow::kDown,
           solution.at("sign_q5") == 1 ? Wrist::kPositive : Wrist::kNegative};
@@ -56,7 +56,7 @@ void checkJacobian(const Puma560& arm, const json& vector) {
       EXPECT_NEAR(actual(r, c), double(vector.at("jacob0").at(size_t(r)).at(size_t(c))), kDigits);
 }
 
-/// Every variant of the file is found once with its branch, and nothing else.
+/// Every variant of the file is found once with its configuration, and nothing else.
 void checkInverse(const Puma560& arm, const json& vector) {
   ArmSolutions found;
   arm.inverse(arm.baseFromTool0(joints(vector.at("q"))), JointVector::Zero(), &found);
@@ -66,14 +66,15 @@ void checkInverse(const Puma560& arm, const json& vector) {
       ++expected;
       int same = 0;
       for (const ArmSolution& s : found)
-        same += s.branch == branch(solution) && (s.joints - joints(variant)).cwiseAbs().maxCoeff() < kAngle;
+        same += s.configuration == configuration(solution) &&
+                (s.joints - joints(variant)).cwiseAbs().maxCoeff() < kAngle;
       EXPECT_EQ(same, 1) << variant;
     }
   EXPECT_EQ(found.size(), expected);
 }
 
-/// All eight branches, limits or not: each joint may turn once around.
-void checkBranches(const json& vector) {
+/// All eight configurations, limits or not: each joint may turn once around.
+void checkConfigurations(const json& vector) {
   Puma560Options options;
   options.shoulder_height = options.d6 = 0;
   for (JointLimit& limit : options.joints) {
@@ -87,7 +88,7 @@ void checkBranches(const json& vector) {
   for (const json& solution : vector.at("solutions")) {
     int same = 0;
     for (const ArmSolution& s : found)
-      same += s.branch == branch(solution) &&
+      same += s.configuration == configuration(solution) &&
               (s.joints - joints(solution.at("q"))).cwiseAbs().maxCoeff() < kAngle;
     EXPECT_EQ(same, 1) << solution.at("q");
   }
@@ -103,6 +104,7 @@ void checkAll(const std::string& path, size_t at_least) {
     SCOPED_TRACE(named.key());
     checkForward(arm, named.value());
   }
+
   EXPECT_GE(data.at("vectors").size(), at_least);
   for (size_t i = 0; i < data.at("vectors").size(); ++i) {
     SCOPED_TRACE("vector " + std::to_string(i));
@@ -110,7 +112,7 @@ void checkAll(const std::string& path, size_t at_least) {
     checkForward(arm, vector);
     checkJacobian(arm, vector);
     checkInverse(arm, vector);
-    checkBranches(vector);
+    checkConfigurations(vector);
   }
 }
 

@@ -55,6 +55,7 @@ FeatureSet someFeatures() {
     point.normal = Eigen::Vector2f(0, 1);
     features.points.push_back(point);
   }
+
   features.traces = {{0, 60, false}};
   LineSegment plain{}, joined{};
   plain.p = {100, 120};
@@ -189,9 +190,10 @@ TEST(Overlays, ObjectLiesOnItsProjectedEdgesAndHidesTheHiddenOnes) {
   EXPECT_LT(visible_edges, 12);
 
   for (const cv::Point& pixel : pixels) {
-    double least = 1e9;
-    for (const auto& [a, b] : pieces) least = std::min(least, distance({pixel.x, pixel.y}, a, b));
-    EXPECT_LT(least, 4.0);  // half the dark rim below the line
+    double min_distance = 1e9;
+    for (const auto& [a, b] : pieces)
+      min_distance = std::min(min_distance, distance({pixel.x, pixel.y}, a, b));
+    EXPECT_LT(min_distance, 4.0);  // half the dark rim below the line
   }
 }
 
@@ -206,6 +208,7 @@ TEST(Overlays, AxesAndLabelAreDrawn) {
   style.label = "box 0.97";
   drawObject(&full, model, boxPose(), style);
   EXPECT_GT(cv::countNonZero(changed(full)), cv::countNonZero(changed(plain)) + 300);
+
   const Eigen::Vector2d tip =
       full.at(lens().project(boxPose() * Eigen::Vector3d(0.8 * model.diameter / 3, 0, 0)));
   const cv::Vec3b colour = full.picture().at<cv::Vec3b>(int(std::lround(tip.y())), int(std::lround(tip.x())));

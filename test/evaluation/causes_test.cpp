@@ -145,6 +145,7 @@ TEST_F(Causes, ATracedObjectWasLostBehindTheLastStageThatCameNear) {
   };
   trace.groupings = 0;
   EXPECT_EQ(lostWith(trace.generated, 40, "no grouping of its own"), LostAt::kNoGrouping);
+
   trace.groupings = 7;
   EXPECT_EQ(lostWith(trace.generated, 39, "no hypothesis near"), LostAt::kNotGenerated);
   EXPECT_EQ(lostWith(trace.generated, 21, "ranked too low"), LostAt::kNotTaken);

@@ -54,6 +54,7 @@ TEST(Dataset, Split) {
   EXPECT_EQ(split.find(1, 1), nullptr);
   for (const BopImage& image : split.images)
     EXPECT_EQ(loadBopImage(image).at<uchar>(7, 5), 200) << image.path;
+
   const Camera camera = bopCamera(split.images[0], 640, 480);
   EXPECT_EQ(camera.fx, 1000);
   EXPECT_EQ(camera.cy, 239.5);
@@ -103,6 +104,7 @@ TEST(Dataset, WhatIsWrongIsNamed) {
   folder.write("models/models_info.json", R"({"1": {"name": "x"}})");
   EXPECT_THAT(refusal([&] { loadBopModels(folder.path("models")); }),
               HasSubstr("object '1': 'diameter' is missing"));
+
   folder.write("models/models_info.json", R"({"1": {"diameter": 10, "symmetries_discrete": [[1, 2]]}})");
   EXPECT_THAT(refusal([&] { loadBopModels(folder.path("models")); }),
               HasSubstr("has 2 numbers, 16 expected"));

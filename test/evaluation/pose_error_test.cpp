@@ -60,6 +60,7 @@ TEST(PoseError, AFreeAxisIsTakenInEqualStepsAboutItsOwnLine) {
   }
   EXPECT_NEAR(angleBetween(set[0].rotation, set[1].rotation), 2 * M_PI / 63, 1e-12);
   EXPECT_EQ(discretized(symmetries).size(), 2u * 315u);
+
   // Half a step off: the error left is half a step's arc of the farthest point.
   const Rigid3 truth = at(0, 0, 1);
   const double half_step = M_PI / 63;

@@ -131,6 +131,7 @@ class Reference : public testing::Test {
       EXPECT_GT(value, 0.05) << name << ": results this poor compare nothing";
       EXPECT_LT(value, 0.95) << name << ": results this good compare nothing";
     }
+
     EXPECT_EQ(ours.images, theirs.at("n_images").get<int>());
     EXPECT_EQ(ours.targets, theirs.at("n_targets").get<int>());
     EXPECT_EQ(ours.estimates, theirs.at("n_estimates").get<int>());

@@ -32,7 +32,7 @@ class ScriptedRobot : public Robot {
   int sent_stops = 0;
   std::vector<std::string> commands;  ///< "arm", "stop" and "gripper" in their order
 
-  ScriptedRobot() { tell(); }
+  ScriptedRobot() { recordState(); }
 
   void send(const Trajectory& trajectory) override {
     commands.push_back("arm");
@@ -79,7 +79,7 @@ class ScriptedRobot : public Robot {
     clock_ += seconds;
     moveArm();
     moveFingers(seconds);
-    tell();
+    recordState();
   }
   bool connected() const override { return is_connected; }
   std::string jointSource() const override { return "joint_states"; }
@@ -120,7 +120,7 @@ class ScriptedRobot : public Robot {
     stalled_ = !moving_ && wanted_ && std::abs(width - *wanted_) > 1e-6;
   }
 
-  void tell() {
+  void recordState() {
     if (tells_joints) {
       told_joints_ = JointReading{clock_, joints, speed_};
       untaken_.push_back(*told_joints_);

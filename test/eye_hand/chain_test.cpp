@@ -139,6 +139,7 @@ TEST(Chain, BadInputIsNamed) {
   EXPECT_THAT(refusal([&] { poseInBase(hand, eye, {}, negative); }), HasSubstr("negative variance"));
   EXPECT_THAT(refusal([&] { poseInBase(hand, eye, {}, lopsided); }), HasSubstr("not symmetric"));
   EXPECT_THAT(refusal([&] { handPose(Puma560(), JointVector::Constant(NAN)); }), HasSubstr("not finite"));
+
   HandEyeErrorOptions eye_options;
   eye_options.rotation_sigma = -1;
   EXPECT_THAT(refusal([&] { handEye({}, eye_options); }), HasSubstr("rotation_sigma = -1"));

@@ -27,6 +27,7 @@ TEST(Fusion, ViewsShrinkTheImagePartOnly) {
   ObjectMap map(&models());
   const Rigid3 truth = upright(0.45, 0, 0.3);
   double first_image = 0, first_total = 0;
+
   // One camera direction, places apart: the hand-eye's error is the same in every view.
   for (int k = 0; k < 25; ++k) {
     const Eigen::Vector3d shift(0.012 * k - 0.15, 0, 0);
@@ -127,6 +128,7 @@ TEST(Fusion, SymmetricPosesAreOne) {
 TEST(Fusion, AFreeAxisIsNotAveraged) {
   const ObjectModel& flange = models().objects[kFlange].model;
   ASSERT_TRUE(flange.symmetries.axis.has_value());
+
   ObjectMap map(&models());
   const Rigid3 truth = upright(0.45, 0.02, 0.3);
   double stamp = 0;

@@ -62,7 +62,7 @@ TEST(ObjectMap, TheSamePlaceAgainIsNoNewKnowledge) {
 
 TEST(ObjectMap, EnoughViewsAreEnough) {
   ObjectMapOptions options;
-  options.most_views = 2;
+  options.max_views = 2;
   ObjectMap map(&models(), options);
   for (const auto& [stamp, eye] : {std::pair(1, kLeft), std::pair(2, kRight), std::pair(3, kFar)})
     map.add(view(stamp, eye, kTarget, {{kBridge, upright(0.45, 0)}}));
@@ -81,6 +81,7 @@ TEST(ObjectMap, AnOutlierIsLeftOutAndAMovedObjectFollowed) {
   EXPECT_THAT(report.decisions[0].reason, HasSubstr("above the gate of 30"));
   EXPECT_EQ(map.objects()[0].outliers, 1);
   EXPECT_THAT(there, PoseNear(map.objects()[0].base_from_object, 1e-06, 6e-08));
+
   report = map.add(view(4, kNear, kTarget, {{kBridge, there}}));  // a single one is forgotten again
   EXPECT_EQ(report.decisions[0].outcome, ViewOutcome::kMerged);
   EXPECT_EQ(map.objects()[0].outliers, 0);
@@ -266,6 +267,7 @@ TEST(ObjectMap, WhatCouldNotBeSeenIsKept) {
   map.add(view(1, kLeft, kTarget, {{kBridge, a}}));
   for (int k = 0; k < 4; ++k)  // out of the image
     map.add(view(2 + k, kTarget + Eigen::Vector3d(0.8, 0, 0.3), kTarget + Eigen::Vector3d(0.8, 0, 0), {}));
+
   EXPECT_EQ(map.objects().at(0).misses, 0);
   map.add(view(10, kTarget + Eigen::Vector3d(0, 0, 9), kTarget, {}));  // too small
   EXPECT_EQ(map.objects().at(0).misses, 0);
@@ -417,6 +419,7 @@ TEST(ObjectMap, BadInputLeavesTheMapAlone) {
     spoil(&v);
     return refusal([&] { map.add(v); });
   };
+
   EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].object = 9; }),
               HasSubstr("object 9 is not in the model base"));
   EXPECT_THAT(refused([](ObjectView* v) { v->objects[0].covariance(0, 0) = NAN; }),

@@ -95,6 +95,7 @@ TEST(DetectFeatures, SameInputSameOutput) {
     EXPECT_EQ(a.segments[i].q, b.segments[i].q);
     EXPECT_EQ(a.segments[i].piece_count, b.segments[i].piece_count);
   }
+
   EXPECT_EQ(a.joined_pieces, b.joined_pieces);
   EXPECT_EQ(a.ellipse_arcs, b.ellipse_arcs);
 }

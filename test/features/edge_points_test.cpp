@@ -24,6 +24,7 @@ TEST(EdgePixels, TellPointsApart) {
         pixels.add(x, y, points);
         truth[y][x] = points++;
       }
+
   for (int y = 0; y < kRows; ++y)
     for (int x = 0; x + 5 <= kCols; ++x)
       for (int k = 0; k < 5; ++k) {

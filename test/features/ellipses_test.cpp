@@ -21,6 +21,7 @@ EllipseImage ellipseImage(const Camera& camera, double noise, double smallest, d
   const double background = uniform(*g, 60, 190);
   SyntheticScene scene(background);
   const double cell_u = camera.width / 4.0, cell_v = camera.height / 3.0;
+
   for (int k = 0; k < 12; ++k) {
     FilledEllipse e;
     e.ellipse.b = uniform(*g, smallest, largest);
@@ -55,6 +56,7 @@ Score scoreOf(double noise, double smallest, double largest, int images) {
   const Camera camera = testCamera(480, 360);
   std::mt19937 g(29);
   Score s;
+
   for (int i = 0; i < images; ++i) {
     const EllipseImage scene = ellipseImage(camera, noise, smallest, largest, &g);
     const FeatureSet features = detectFeatures(scene.image, camera);
@@ -117,6 +119,7 @@ TEST(Ellipses, PartlyHidden) {
   std::mt19937 g(31);
   int found = 0;
   constexpr int kTries = 20;
+
   for (int i = 0; i < kTries; ++i) {
     SyntheticScene scene(70);
     FilledEllipse e;
@@ -136,6 +139,7 @@ TEST(Ellipses, PartlyHidden) {
     EXPECT_GT(detected->coverage, 0.45);
     EXPECT_LT(detected->coverage, 0.7);
   }
+
   EXPECT_GE(found, 18);
 }
 
@@ -168,6 +172,7 @@ TEST(EllipseFit, ExactPoints) {
   taken.assign(points, {{0, 90}}, 200);
   const EllipseFit direct = fitEllipseDirect(taken);
   ASSERT_TRUE(direct.valid);
+
   const EllipseFit fit = refineEllipse(taken, direct.ellipse, 10);
   ASSERT_TRUE(fit.valid);
   EXPECT_LT((fit.ellipse.centre - truth.centre).norm(), 1e-3);
@@ -235,6 +240,7 @@ TEST(EllipseFit, ReachesTheLeastSquares) {
             << "ellipse " << k << " column " << j;
       }
   }
+
   EXPECT_GT(refined, 190);
 }
 

@@ -13,6 +13,7 @@ inline std::vector<double> flat(const FeatureSet& features) {
   const auto put = [&](std::initializer_list<double> values) {
     row.insert(row.end(), values.begin(), values.end());
   };
+
   for (const EdgePoint& p : features.points)
     put({p.uv.x(), p.uv.y(), p.normal.x(), p.normal.y(), p.gradient, p.sigma, p.blur});
   for (const EdgeTrace& t : features.traces) put({double(t.first), double(t.count), double(t.closed)});

@@ -101,6 +101,7 @@ TEST(Camera, ResizedMapsPixelsByTheirEdges) {
       EXPECT_NEAR(raw_scaled.x(), (raw.x() + 0.5) * factor - 0.5, 1e-9);
       EXPECT_NEAR(raw_scaled.y(), (raw.y() + 0.5) * factor - 0.5, 1e-9);
     }
+
   const Camera odd = plain().resized(0.3333);  // sizes are whole: each axis has its own exact factor
   EXPECT_EQ(odd.width, 213);
   EXPECT_EQ(odd.height, 160);
@@ -123,6 +124,7 @@ TEST(Camera, CheckNamesTheField) {
     refused("fx", [&](Camera& c) { c.fx = bad; });
     refused("fy", [&](Camera& c) { c.fy = bad; });
   }
+
   for (const double bad : {kNaN, -1.0, 641.0}) refused("cx", [&](Camera& c) { c.cx = bad; });
   for (const double bad : {kNaN, -1.0, 481.0}) refused("cy", [&](Camera& c) { c.cy = bad; });
   const char* names[] = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
@@ -234,6 +236,7 @@ TEST(Camera, DistortionModels) {
   EXPECT_EQ(with("", {-0.1, 0, 0, 0, 0}).model, DistortionModel::kPlumbBob);
   EXPECT_EQ(with("plumb_bob", {}).distorted(), false);
   EXPECT_EQ(with("plumb_bob", {0, 0, 0, 0, 0}).distorted(), false);
+
   const Camera c = with("rational_polynomial", {1, 2, 3, 4, 5, 6, 7, 8, 0, 0, 0, 0});
   EXPECT_EQ(c.model, DistortionModel::kRationalPolynomial);
   for (int i = 0; i < 8; ++i) EXPECT_EQ(c.d[i], i + 1);

@@ -70,6 +70,7 @@ TEST_F(Rigid3Test, ExpAndLogAtEveryAngle) {
       EXPECT_LT(error, 1e-14 + 1e-7 * (angle > 3.141592)) << angle;
       EXPECT_LT((expSO3(back) - r).norm(), 1e-14) << angle;
     }
+
   // Half turns about the axes, where trace-based formulas divide zero by zero.
   for (int k = 0; k < 3; ++k) {
     Matrix3d half = -Matrix3d::Identity();

@@ -17,6 +17,7 @@ TEST(Boxes, OverlapAgreesWithSampledTriangles) {
   std::uniform_real_distribution<double> place(-1, 1);
   const auto point = [&] { return Eigen::Vector3d(place(random), place(random), place(random)); };
   int meeting = 0, unsampled = 0;
+
   for (int pass = 0; pass < 3000; ++pass) {
     const Eigen::Vector3d a = point(), b = point(), c = point(), middle = 0.5 * point();
     const Eigen::Vector3d half(0.1 + 0.2 * std::abs(place(random)), 0.1, 0.15);
@@ -35,6 +36,7 @@ TEST(Boxes, OverlapAgreesWithSampledTriangles) {
     }
     unsampled += nearest > 0 && nearest <= 0.05;
   }
+
   EXPECT_GT(meeting, 300);
   EXPECT_LT(unsampled, 900);
 }
@@ -61,6 +63,7 @@ TEST(Boxes, SweptHandHoldsThePathOfTheHand) {
     return std::any_of(swept.begin(), swept.end(),
                        [&](const Eigen::AlignedBox3d& b) { return b.exteriorDistance(p) < 1e-12; });
   };
+
   for (double back = 0; back <= approach; back += 0.01)
     for (const Eigen::AlignedBox3d& b : handBoxes(gripper, opening))
       for (int corner = 0; corner < 8; ++corner)

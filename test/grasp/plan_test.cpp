@@ -41,6 +41,7 @@ void expectSound(const GraspPlan& found) {
   const Puma560 arm;
   const GraspPlanOptions options;
   double last = 1;
+
   for (const GraspCandidate& c : found.candidates) {
     EXPECT_LE(c.quality, last + 1e-9);
     last = c.quality;

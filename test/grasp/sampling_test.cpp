@@ -125,13 +125,14 @@ TEST(Sampling, GivenGraspsAreCheckedAndTurned) {
   given.object_from_tcp.rotation.diagonal() << 1, -1, -1;  // from above
   given.object_from_tcp.translation.z() = 0.05;
   given.width = 0.04;
-  given.turns = 2;
+  given.rotation_steps = 2;
   object.handling.grasps = {given};
   ModelGrasps found = graspsOf(object, {});
   ASSERT_EQ(found.grasps.size(), 2u) << found.reason;
   EXPECT_EQ(found.grasps[0].source, "given 0");
   EXPECT_GT(found.grasps[0].contact, 0.9);
-  object.handling.grasps[0].turns = 4;  // two of them close on 60 mm
+
+  object.handling.grasps[0].rotation_steps = 4;  // two of them close on 60 mm
   found = graspsOf(object, {});
   EXPECT_EQ(found.grasps.size(), 2u);
   EXPECT_THAT(found.reason, HasSubstr("given 0, turn 1: the pads touch with less"));
@@ -139,6 +140,7 @@ TEST(Sampling, GivenGraspsAreCheckedAndTurned) {
   found = graspsOf(object, {});
   EXPECT_TRUE(found.grasps.empty());
   EXPECT_THAT(found.reason, HasSubstr("width 200 mm does not fit the opening of 0 to 90 mm"));
+
   object.handling.grasps[0].width = 0.04;
   object.handling.grasps[0].object_from_tcp.translation.z() = 0.0;  // the rail would be inside the box
   found = graspsOf(object, {});

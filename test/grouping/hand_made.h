@@ -123,6 +123,7 @@ inline ViewSphere views(const ObjectModel& m, double distance, int count) {
   v.distances = {distance};
   v.step = 0;                                     // ten samples per edge, whatever its length
   const Eigen::Vector3d probe(0.82, 0.47, 0.31);  // the domain: nearest to this among the symmetric copies
+
   for (const Eigen::Vector3d& d : sphere(count)) {
     bool inside = true;
     for (const Rigid3& s : m.symmetries.discrete) inside &= probe.dot(d) >= probe.dot(s.rotation * d) - 1e-12;
@@ -142,6 +143,7 @@ inline ViewSphere views(const ObjectModel& m, double distance, int count) {
     }
     v.views.push_back(view);
   }
+
   v.directions = int(v.views.size());
   return v;
 }
@@ -164,6 +166,7 @@ inline FeatureSet project(const ObjectModel& m, const Rigid3& camera_from_object
   std::normal_distribution<double> normal(0, noise);
   const Eigen::Vector3d eye = camera_from_object.inverse().translation;
   edges->clear();
+
   for (int e = 0; e < int(m.edges.size()); ++e) {
     if (!visible(m.edges[e], eye)) continue;
     Eigen::Vector2d p = f.camera.project(camera_from_object * m.edges[e].p);

@@ -57,6 +57,7 @@ TEST(Junction, SigmaOfTheCornerIsThatOfItsLines) {
     ASSERT_EQ(map.corners.size(), 1u);
     sum += 0.5 * (map.corners[0].p - mean).squaredNorm();
   }
+
   EXPECT_NEAR(std::sqrt(sum / trials), sigma, 0.1 * sigma);
 }
 
@@ -163,6 +164,7 @@ TEST(Quad, ClosedOnceAndInTurningOrder) {
       EXPECT_LT((0.5 * (s.p + s.q) - middle).norm(), 1.0);
     }
   }
+
   EXPECT_EQ(closed, 1);
   EXPECT_EQ(ofKind(all, GroupingKind::kJunction).size(), 4u);
   EXPECT_EQ(ofKind(all, GroupingKind::kChain).size(), 4u);
@@ -332,6 +334,7 @@ TEST(Candidates, NeedWhatTheGroupingShows) {
   FeatureSet f = rectangle(4);
   addEllipse(&f, {260, 200}, 20, 15, 0);
   addEllipse(&f, {262, 200}, 30, 22, 0);
+
   for (const Grouping& g : groupFeatures(f, base)) {
     if (g.kind == GroupingKind::kEllipse)
       EXPECT_EQ(g.candidates, std::vector<int>{1});
@@ -353,6 +356,7 @@ TEST(Options, AreChecked) {
   o = {};
   o.corner_gap_ratio = 0.7;
   EXPECT_THAT(message(o), HasSubstr("corner_gap_ratio = 0.7"));
+
   o = {};
   o.max_per_kind = 0;
   EXPECT_THAT(message(o), HasSubstr("max_per_kind = 0"));

@@ -25,6 +25,7 @@ TEST(ModelGroupings, CubeHasOneOfEachSimpleKind) {
   ASSERT_EQ(triplets.size(), 1u);
   EXPECT_TRUE(triplets[0].oriented);
   EXPECT_EQ(triplets[0].orders.size(), 1u);
+
   const auto quads = ofKind(all, GroupingKind::kQuad);
   ASSERT_EQ(quads.size(), 1u);
   EXPECT_TRUE(quads[0].oriented);
@@ -109,6 +110,7 @@ ObjectModel with(ObjectModel m, const ObjectModel& other, const Eigen::Vector3d&
     for (int& edge : corner.edges) edge += edges;
     m.corners.push_back(corner);
   }
+
   for (ModelEdge edge : other.edges) {
     edge.p += shift;
     edge.q += shift;
@@ -143,6 +145,7 @@ TEST(ModelGroupings, CirclesOfAFlange) {
     c.sweep = 2 * M_PI;
     m.circles.push_back(c);
   }
+
   ModelCircle aside = m.circles[0];  // a bolt hole: parallel axis, but not the same
   aside.centre.x() = 0.03;
   aside.radius = 0.004;

@@ -36,6 +36,7 @@ FeatureSet projectVisible(const ObjectModel& m, const Rigid3& camera_from_object
   std::vector<int> samples(m.featureCount(), 0);
   for (const ContourSample& s : visibleContour(m, camera_from_object.inverse().translation, options))
     ++samples[s.feature];
+
   edges->clear();
   std::normal_distribution<double> normal(0, 0.05);
   for (int e = 0; e < int(m.edges.size()); ++e) {
@@ -68,6 +69,7 @@ bool trueStructure(const ObjectModel& m, const Grouping& g, const std::vector<in
                    const Camera& camera, const Rigid3& pose) {
   for (double sigma : g.sigma)
     if (sigma >= kCutOffSigma) return false;
+
   const auto at = [&](int i, int j, int point) {
     const Eigen::Vector3d* p = meetingPoint(m, edges[g.segments[i]], edges[g.segments[j]]);
     return p != nullptr && (camera.project(pose * *p) - g.points[point]).norm() < 3.0;
@@ -77,6 +79,7 @@ bool trueStructure(const ObjectModel& m, const Grouping& g, const std::vector<in
     return std::min((camera.project(pose * e.p) - g.points[point]).norm(),
                     (camera.project(pose * e.q) - g.points[point]).norm()) < 3.0;
   };
+
   switch (g.kind) {
     case GroupingKind::kEdge:
       return ends(0, 0) && ends(0, 1);
@@ -145,6 +148,7 @@ TEST_P(Shipped, CandidatesAndOrdersHoldTheTruth) {
           << toString(g.kind) << " " << toString(g.shape) << " trial " << trial;
     }
   }
+
   EXPECT_GT(checked, 200);
 }
 INSTANTIATE_TEST_SUITE_P(Models, Shipped, testing::Values("bridge", "grenade", "frame", "bracket"));

@@ -132,6 +132,7 @@ TEST_F(CameraFiles, OpenCVFileStorage) {
   const std::string lens =
       ": !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n   data: [ -0.1, 0.02, 0., 0., 0.5 ]\n";
   const std::string start = "%YAML:1.0\n---\n";
+
   for (const std::string& text :
        {start + "image_width: 640\nimage_height: 480\ncamera_matrix" + matrix + "distortion_coefficients" +
             lens,
@@ -145,6 +146,7 @@ TEST_F(CameraFiles, OpenCVFileStorage) {
     EXPECT_EQ(file.camera.d[4], 0.5);
     EXPECT_EQ(file.camera.model, DistortionModel::kPlumbBob);
   }
+
   write(start + "camera_matrix" + matrix);
   expectRefused([&] { loadCamera(path_); }, {path_, "OpenCV FileStorage", "image_width", "missing"});
   write(start + "M1" + matrix + "D1" + lens + "M2" + matrix + "D2" + lens + "image_width: 640\n");
@@ -183,6 +185,7 @@ TEST_F(CameraFiles, CameraInfoPrintedByRostopic) {
   EXPECT_EQ(file.kind, "CameraInfo");
   ASSERT_TRUE(file.projection.has_value());
   EXPECT_EQ((*file.projection)[0], 690);
+
   // Several messages behind one another; then one of a binned image.
   expectCamera(loadCamera(write(start + roi + start + roi)));
   const Camera binned = loadCamera(write(start + "binning_x: 2\nbinning_y: 2\n" + roi));
@@ -201,6 +204,7 @@ TEST_F(CameraFiles, Kalibr) {
   expectCamera(file.camera);
   EXPECT_EQ(file.kind, "kalibr camchain");
   EXPECT_EQ(file.camera.d[3], -0.002);
+
   expectCamera(
       loadCamera(write("cam0:\n" + model + "  distortion_coeffs: []\n  distortion_model: none\n" + rest)));
   write("cam0:\n" + model + lens + rest + "cam1:\n" + model + lens + rest);
@@ -248,6 +252,7 @@ TEST_F(CameraFiles, ViSP) {
   const std::string end = " </camera>\n</root>\n";
   expectCamera(loadCamera(write(start + plain + end)));
   EXPECT_FALSE(loadCamera(path_).distorted());
+
   const CameraFile both = readCameraFile(write(start + plain + distorted + end));
   expectCamera(both.camera);
   EXPECT_EQ(both.camera.d[0], -0.11);

@@ -283,6 +283,7 @@ TEST(FieldFileCases, AreTheSamePart) {
     for (const Point& p : part.mesh.vertices) bounds.extend(p);
     EXPECT_LT((bounds.sizes() - Point(0.06, 0.04, 0.03)).norm(), 1e-8);
   }
+
   for (const char* name : {"stl/70_lfs.stl", "ply/70_lfs.ply"}) {
     EXPECT_THAT(refusal([&] { loadMesh(folder + name, "mm"); }), HasSubstr("git lfs pull"));
   }

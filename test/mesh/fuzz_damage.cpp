@@ -127,8 +127,8 @@ struct Piece {
 
 Piece somePiece(const std::string& file, Dice* dice) {
   const size_t at = dice->below(file.size() + 1);
-  const size_t most = dice->oneIn(3) ? file.size() - at : std::min<size_t>(file.size() - at, 64);
-  return {at, dice->below(most + 1)};
+  const size_t max_bytes = dice->oneIn(3) ? file.size() - at : std::min<size_t>(file.size() - at, 64);
+  return {at, dice->below(max_bytes + 1)};
 }
 
 Piece someLine(const std::string& file, Dice* dice) {

@@ -33,10 +33,10 @@ namespace {
 int given_count = 400;
 int given_seed = 1;
 
-constexpr size_t kMostTriangles = 300;  // of a mesh that is also made a model
-constexpr int kMostSeconds = 20;  // of the processor, for one input; of the reader of OBJ and DAE its own
-constexpr size_t kMostMemory = size_t(8) << 30;
-constexpr size_t kMostFailures = 20;
+constexpr size_t kMaxTriangles = 300;  // of a mesh that is also made a model
+constexpr int kMaxSeconds = 20;  // of the processor, for one input; of the reader of OBJ and DAE its own
+constexpr size_t kMaxMemory = size_t(8) << 30;
+constexpr size_t kMaxFailures = 20;
 constexpr int kWrongException = 9;  // exit code
 
 struct FuzzedOptions {
@@ -58,7 +58,7 @@ struct FuzzedOptions {
 
 void loadMeshFile(const std::string& path) {
   const LoadedMesh loaded = readMesh(path, "mm");
-  if (loaded.mesh.triangles.size() > kMostTriangles) return;
+  if (loaded.mesh.triangles.size() > kMaxTriangles) return;
   ModelOptions options;
   options.find_symmetries = false;  // takes long, and sees no more of the file
   buildModel("part", loaded.mesh, options);
@@ -188,8 +188,8 @@ class Runner {
  private:
   static void limitMemory() {
 #ifndef __SANITIZE_ADDRESS__
-    const rlimit most{kMostMemory, kMostMemory};
-    setrlimit(RLIMIT_AS, &most);
+    const rlimit limit{kMaxMemory, kMaxMemory};
+    setrlimit(RLIMIT_AS, &limit);
 #endif
   }
 
@@ -202,7 +202,7 @@ class Runner {
     shared_->index = index;
     const Input input = inputs_.at(index);
     const std::string path = folder_.write("input." + input.extension, input.bytes);
-    limitTime(kMostSeconds);
+    limitTime(kMaxSeconds);
     const bool good = load(path, input.family);
     limitTime(0);
     std::remove(path.c_str());
@@ -237,7 +237,7 @@ std::string ended(int status, const Shared& told) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == kWrongException)
     return std::string("threw what is no refusal: ") + told.problem;
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
-    return "was not done after " + std::to_string(kMostSeconds) + " s";
+    return "was not done after " + std::to_string(kMaxSeconds) + " s";
   if (WIFSIGNALED(status)) return "died of signal " + std::to_string(WTERMSIG(status));
   return "ended the process with exit code " + std::to_string(WEXITSTATUS(status));
 }
@@ -253,7 +253,7 @@ TEST(FuzzFiles, EveryInputIsReadOrRefused) {
   const Inputs inputs;
   Runner runner(inputs);
   size_t failures = 0;
-  for (size_t next = 0; next < size_t(given_count) && failures < kMostFailures;) {
+  for (size_t next = 0; next < size_t(given_count) && failures < kMaxFailures;) {
     const int status = runner.run(next, size_t(given_count));
     if (status == 0) break;
     const size_t index = runner.told().index;

@@ -252,7 +252,7 @@ const char kObjects[] = R"(objects:
     find_symmetries: false
     grasps:
       - {xyz: [0, 0, 0.05], rpy: [3.14, 0, 0], width: 0.04}
-      - {xyz: [0.1, 0, 0], width: 0.02, turns: 6, axis: [0, 0, 2], point: [0.1, 0, 0]}
+      - {xyz: [0.1, 0, 0], width: 0.02, rotation_steps: 6, axis: [0, 0, 2], point: [0.1, 0, 0]}
   - {name: frame, mesh: ./box.stl, unit: inch, obstacle: true}
   - {name: third, mesh: "box.stl", grasp: false}
 )";

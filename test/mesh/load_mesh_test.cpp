@@ -105,6 +105,7 @@ TEST(LoadMesh, BadFilesAreRefusedWithTheReason) {
   std::string nan = asciiStl(kBox);
   nan.replace(nan.find("vertex") + 7, 3, "nan");
   EXPECT_THAT(refusalOf("stl", nan), HasSubstr("finite"));
+
   std::string binary_nan = binaryStl(kBox);
   const float not_a_number = std::nanf(""), infinite = INFINITY;
   std::memcpy(&binary_nan[84 + 12], &not_a_number, 4);
@@ -156,6 +157,7 @@ TEST(LoadMesh, BadPlyFilesAreRefusedWithTheReason) {
 TEST(LoadMesh, TruncationAtEveryLengthIsRefused) {
   Mesh two;
   quad(&two, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+
   for (const auto& [extension, bytes] :
        {std::make_pair("stl", asciiStl(two)), std::make_pair("stl", binaryStl(two)),
         std::make_pair("stl", binaryStl(two, "solid")), std::make_pair("ply", ply(two, "ascii")),
@@ -197,6 +199,7 @@ TEST(LoadMesh, RandomDamageIsReadOrRefusedButNeverCrashes) {
       }
     }
   }
+
   EXPECT_GT(read, 0);
   EXPECT_GT(refused, 0);
 }

@@ -84,6 +84,7 @@ inline std::string ply(const Mesh& m, const std::string& format) {
       out << raw(float(v.x()), big) << raw(double(v.y()), big) << raw(float(v.z()), big) << char(7);
     }
   }
+
   for (const auto& t : m.triangles) {
     if (format == "ascii") {
       out << "-3 3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
@@ -111,6 +112,7 @@ inline std::string dae(const Mesh& m, const std::string& unit, const std::string
       << "<geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"" << 3 * m.vertices.size()
       << "\">";
   for (const Eigen::Vector3d& v : m.vertices) out << v.transpose() << " ";
+
   out << "</float_array><technique_common><accessor source=\"#a\" count=\"" << m.vertices.size()
       << "\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/>"
       << "<param name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices id=\"v\">"

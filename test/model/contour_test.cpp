@@ -91,6 +91,7 @@ TEST(RayScene, CastAndOcclusionAgreeWithBruteForce) {
     EXPECT_TRUE(m.rays->occluded(eye + (nearest + 1e-3) * d, eye));
     EXPECT_FALSE(m.rays->occluded(eye + (nearest - 1e-3) * d, eye));
   }
+
   EXPECT_GT(hits, 100);
 }
 
@@ -106,6 +107,7 @@ TEST(Contour, CubeFromACornerShowsNineEdges) {
     silhouette[s.feature] = s.silhouette;
     EXPECT_EQ(s.silhouette, s.inner_side != 0);
   }
+
   EXPECT_EQ(per_edge.size(), 9u);
   int outline = 0;
   for (const auto& [feature, samples] : per_edge) {
@@ -198,6 +200,7 @@ TEST(Contour, WholeCircleIsVisibleFromAboveAndHalfHiddenInABore) {
   const ObjectModel m = build(plateWithHole(24, 0.03, 0.01, 0.02));
   ContourOptions options;
   options.step = 0.001;
+
   for (const double tilt : {0.0, 0.4, 0.9}) {
     const Eigen::Vector3d eye = m.centre() + 0.3 * Eigen::Vector3d(std::sin(tilt), 0, std::cos(tilt));
     std::map<int, int> count;

@@ -59,6 +59,7 @@ TEST(FreeTurns, HeldAndFreedAreInverse) {
     EXPECT_NEAR(axis.dot(freed.bottomRightCorner<3, 3>() * axis), M_PI * M_PI / 3, 1e-9);
   }
   model.symmetries = {};
+
   EXPECT_EQ(conditionedOnFreeAxis(model, pose, covariance), covariance);
   EXPECT_EQ(withFreeAxisVariance(model, pose, covariance), covariance);
 }

@@ -42,11 +42,12 @@ std::vector<Point> densePoints(const Mesh& mesh, std::mt19937* random) {
 /// How far the motion moves the surface off itself, as a share of the diameter.
 double offBy(const ObjectModel& model, const Rigid3& motion, const std::vector<Point>& points,
              const ClosestPoint& surface) {
-  double most = 0;
+  double max_distance = 0;
   const Rigid3 back = motion.inverse();
   for (const Point& p : points)
-    most = std::max({most, surface.distance(motion * p, 1.0), surface.distance(back * p, 1.0)});
-  return most / model.diameter;
+    max_distance =
+        std::max({max_distance, surface.distance(motion * p, 1.0), surface.distance(back * p, 1.0)});
+  return max_distance / model.diameter;
 }
 
 void expectTrueGroup(const ObjectModel& model, std::mt19937* random) {
@@ -54,6 +55,7 @@ void expectTrueGroup(const ObjectModel& model, std::mt19937* random) {
   const std::vector<Point> points = densePoints(model.mesh, random);
   const ClosestPoint surface(model.mesh);
   EXPECT_FALSE(s.sphere);
+
   std::vector<Rigid3> motions = s.discrete;
   if (s.axis) {
     for (const double angle : {0.3, 1.3, 2.9})
@@ -85,6 +87,7 @@ Mesh sheet(int columns, int rows, double x, double y, double thickness,
       quad(&m, p(i, j, false), p(i, j + 1, false), p(i + 1, j + 1, false), p(i + 1, j, false));
     }
   }
+
   for (int i = 0; i < columns; ++i) {
     quad(&m, p(i, 0, false), p(i + 1, 0, false), p(i + 1, 0, true), p(i, 0, true));
     quad(&m, p(i + 1, rows, false), p(i, rows, false), p(i, rows, true), p(i + 1, rows, true));
@@ -115,6 +118,7 @@ Mesh decimated(const Mesh& m, double cell, const Point& origin) {
     const Point q = (p - origin) / cell;
     return Key(std::lround(q.x()), std::lround(q.y()), std::lround(q.z()));
   };
+
   for (const Point& p : m.vertices) {
     auto& sum = sums.emplace(key(p), std::make_pair(Point(0, 0, 0), 0)).first->second;
     sum.first += p;

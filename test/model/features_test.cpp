@@ -102,6 +102,7 @@ TEST_P(Round, HoleIsConcaveCylinderWithTwoCircles) {
       EXPECT_NEAR(s.radius, 0.01, 1e-6);
     }
   }
+
   for (const ModelCircle& c : m.circles) {
     EXPECT_TRUE(c.full());
     EXPECT_TRUE(

@@ -37,17 +37,18 @@ TEST(Handling, DefaultsToSampledGrasps) {
 }
 
 TEST(Handling, GivenGraspsAreRead) {
-  const Handling h = entries(
-                         ", grasps: [{xyz: [0, 0, 0.05], rpy: [3.14159265358979, 0, 0], width: 0.04},"
-                         " {xyz: [0.1, 0, 0], width: 0.02, turns: 6, axis: [0, 0, 2], point: [0.1, 0, 0]}]")
-                         .at(0)
-                         .handling;
+  const Handling h =
+      entries(
+          ", grasps: [{xyz: [0, 0, 0.05], rpy: [3.14159265358979, 0, 0], width: 0.04},"
+          " {xyz: [0.1, 0, 0], width: 0.02, rotation_steps: 6, axis: [0, 0, 2], point: [0.1, 0, 0]}]")
+          .at(0)
+          .handling;
   ASSERT_EQ(h.grasps.size(), 2u);
   EXPECT_LT((h.grasps[0].object_from_tcp.rotation.col(2) + Eigen::Vector3d::UnitZ()).norm(), 1e-9);
   EXPECT_EQ(h.grasps[0].object_from_tcp.translation.z(), 0.05);
   EXPECT_EQ(h.grasps[0].width, 0.04);
-  EXPECT_EQ(h.grasps[0].turns, 1);
-  EXPECT_EQ(h.grasps[1].turns, 6);
+  EXPECT_EQ(h.grasps[0].rotation_steps, 1);
+  EXPECT_EQ(h.grasps[1].rotation_steps, 6);
   EXPECT_EQ(h.grasps[1].axis.direction, Eigen::Vector3d::UnitZ());
   EXPECT_EQ(h.grasps[1].axis.point.x(), 0.1);
 }
@@ -78,7 +79,8 @@ TEST(Handling, MistakesAreNamed) {
               HasSubstr("'grasps[0].xyz' is a list of 2; a list of 3 is expected"));
   EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, .nan], width: 0.1}]"), HasSubstr("finite"));
   EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0]}]"), HasSubstr("width = 0.0"));
-  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], width: 0.1, turns: 0}]"), HasSubstr("turns = 0"));
+  EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], width: 0.1, rotation_steps: 0}]"),
+              HasSubstr("rotation_steps = 0"));
   EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], width: 0.1, axis: [0, 0, 0]}]"), HasSubstr("axis"));
   EXPECT_THAT(refusalOf(", grasps: [{xyz: [0, 0, 0], wide: 0.1}]"),
               HasSubstr("unknown key 'grasps[0].wide'; did you mean 'grasps[0].width'?"));

@@ -158,6 +158,7 @@ Mesh scannedBlock(int n, double noise) {
   std::mt19937 random(5);
   std::normal_distribution<double> off(0, noise);
   Mesh m;
+
   for (int axis = 0; axis < 3; ++axis) {
     for (const int side : {-1, 1}) {
       std::vector<Point> grid;

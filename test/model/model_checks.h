@@ -23,6 +23,7 @@ constexpr auto kFreeform = Surface::Kind::kFreeform;
 inline void checkConsistent(const ObjectModel& m) {
   ASSERT_EQ(m.surface_of_triangle.size(), m.mesh.triangles.size());
   for (const int s : m.surface_of_triangle) ASSERT_TRUE(s >= 0 && s < int(m.surfaces.size()));
+
   for (size_t e = 0; e < m.edges.size(); ++e) {
     const ModelEdge& edge = m.edges[e];
     const Eigen::Vector3d t = (edge.q - edge.p).normalized();
@@ -39,6 +40,7 @@ inline void checkConsistent(const ObjectModel& m) {
     const double rise = edge.normal[0].cross(t).dot(edge.normal[1]);
     EXPECT_EQ(rise < 0, edge.convex) << "edge " << e;
   }
+
   for (const ModelCircle& c : m.circles) {
     EXPECT_NEAR(c.axis.norm(), 1, 1e-9);
     EXPECT_NEAR(c.axis.dot(c.x_axis), 0, 1e-9);

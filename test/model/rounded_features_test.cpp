@@ -60,6 +60,7 @@ TEST(RoundedEdges, OfAnInnerCornerAreConcave) {
       if (!up) triangle(&mesh, hub, b, a);
     }
   }
+
   const ObjectModel m = build(rounded(mesh));
   checkConsistent(m);
   const auto concave =

@@ -16,6 +16,7 @@ double largestGap(const std::vector<Eigen::Vector3d>& directions, const Symmetri
   std::mt19937 random(1);
   std::normal_distribution<double> g;
   double worst = 1;
+
   for (int k = 0; k < 1000; ++k) {
     const Eigen::Vector3d probe = Eigen::Vector3d(g(random), g(random), g(random)).normalized();
     double best = -1;

@@ -3,8 +3,8 @@
 
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/simulation/cell.h"
-#include "monocular_eye_hand/simulation/cell_scene.h"
+#include "monocular_eye_hand/simulation/cell/scene.h"
+#include "monocular_eye_hand/simulation/cell/work_cell.h"
 
 namespace monocular_eye_hand {
 

@@ -90,6 +90,7 @@ stages:
   - {name: first}
   - {name: second, rounds: 7}
 )");
+
   EXPECT_EQ(options.lens.blur, 2);
   EXPECT_THAT(options.lens.k, ElementsAre(0.1, -2e-3, 3));
   EXPECT_TRUE(options.colour);
@@ -101,6 +102,37 @@ stages:
   EXPECT_EQ(options.stages[0].rounds, 1);
   EXPECT_EQ(options.stages[1].name, "second");
   EXPECT_EQ(options.stages[1].rounds, 7);
+}
+
+struct PathOptions {
+  double rotation_deviation = 0.002;
+  std::string turns;
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("rotation_deviation", rotation_deviation);
+    v("turns", turns);
+  }
+};
+
+struct PlanOptions {
+  PathOptions path;
+  template <class Visitor>
+  void visit(Visitor&& v) {
+    v("path", path);
+  }
+};
+
+TEST(Options, AKeyOfAnEarlierVersionIsRefusedWithItsNewName) {
+  PlanOptions options;
+  EXPECT_EQ(refusal([&] { readOptions(parseYaml("path: {turn_deviation: 0.01}"), &options); }),
+            "'path.turn_deviation' is now called 'path.rotation_deviation'");
+  EXPECT_EQ(options.path.rotation_deviation, 0.002);
+
+  // Where the new name means nothing the old one is a key like any other.
+  EXPECT_THAT(refusal([&] { readOptions(parseYaml("turn_deviation: 1"), &options); }),
+              HasSubstr("unknown key"));
+  readOptions(parseYaml("path: {turns: some}"), &options);
+  EXPECT_EQ(options.path.turns, "some");
 }
 
 TEST(Options, AnUnknownKeyIsNamedInFullWithTheNearestKnownOne) {

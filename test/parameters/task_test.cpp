@@ -58,11 +58,11 @@ TEST(TaskParameters, UnknownKeysAreRefusedByName) {
       readOptions(parseYaml(yaml), &parameters);
     });
   };
-  EXPECT_EQ(refused("{settle: 0.2, clear_frame: {most_rounds: 3}, views: {nearest: 0.3}}"), "");
+  EXPECT_EQ(refused("{settle: 0.2, clear_frame: {max_rounds: 3}, views: {min_distance: 0.3}}"), "");
   EXPECT_THAT(refused("{setle: 0.2}"), HasSubstr("unknown key 'setle'; did you mean 'settle'?"));
   EXPECT_THAT(refused("{clear_frame: {most_round: 3}}"), HasSubstr("'clear_frame.most_round'"));
   EXPECT_THAT(refused("{views: {near: 0.3}}"), HasSubstr("'views.near'"));
-  EXPECT_THAT(refused("{views: {nearest: far}}"), HasSubstr("views.nearest"));
+  EXPECT_THAT(refused("{views: {min_distance: far}}"), HasSubstr("views.min_distance"));
 }
 
 TEST(TaskParameters, AreChecked) {

@@ -7,7 +7,7 @@
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/options/options.h"
 #include "monocular_eye_hand/parameters/work_cell.h"
-#include "monocular_eye_hand/simulation/cell_scene.h"
+#include "monocular_eye_hand/simulation/cell/scene.h"
 
 namespace monocular_eye_hand {
 namespace {

@@ -6,7 +6,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-TEST(CartesianPath, StaysOnTheLineInItsPosture) {
+TEST(CartesianPath, StaysOnTheLineInItsConfiguration) {
   const ToolArm arm = toolArm();
   const JointVector start = lookingJoints();
   const Rigid3 from = arm.baseFromTcp(start), to = down(0.55, 0.08, 0.38, 0.4);
@@ -15,9 +15,10 @@ TEST(CartesianPath, StaysOnTheLineInItsPosture) {
   ASSERT_TRUE(path.found()) << path.reason;
   EXPECT_LT((arm.baseFromTcp(path.points.back()).translation - to.translation).norm(), 1e-9);
   EXPECT_LT(angleBetween(arm.baseFromTcp(path.points.back()).rotation, to.rotation), 1e-9);
+
   const Eigen::Vector3d line = (to.translation - from.translation).normalized();
   for (size_t i = 0; i + 1 < path.points.size(); ++i) {
-    EXPECT_EQ(arm.arm.branch(path.points[i]), arm.arm.branch(start));
+    EXPECT_EQ(arm.arm.configuration(path.points[i]), arm.arm.configuration(start));
     EXPECT_TRUE(arm.arm.withinLimits(path.points[i]));
     for (int k = 0; k < 10; ++k) {
       const JointVector q = path.points[i] + 0.1 * k * (path.points[i + 1] - path.points[i]);

@@ -77,6 +77,7 @@ TEST(CollisionWorld, CarriedObjectCollidesAndMayRestOnTheTable) {
   CollisionPair pair = world.firstCollision(grasp);
   EXPECT_EQ(pair.first, "bridge_0");
   EXPECT_EQ(pair.second, "table");
+
   world.allow("bridge_0", "table");
   EXPECT_TRUE(world.allowed("table", "bridge_0"));
   EXPECT_TRUE(world.valid(grasp));
@@ -148,6 +149,7 @@ TEST(CollisionWorld, RefusesBadInput) {
   EXPECT_THROW(world.addBox("flat", {1, 1, 0}, {}), BadInput);
   EXPECT_THROW(world.addBox("nowhere", {1, 1, 1}, at(NAN, 0, 0)), BadInput);
   EXPECT_THROW(world.addMesh("empty", Mesh(), {}), BadInput);
+
   Mesh broken;
   broken.vertices = {{0, 0, 0}, {1, 0, 0}};
   broken.triangles = {{{0, 1, 2}}};

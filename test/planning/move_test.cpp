@@ -60,7 +60,8 @@ TEST(Move, SaysWhyNot) {
   plan = planMove(toolArm(), demoWorld(), moveTo({down(1.5, 0, 0.6), down(0.5, 0, kTableTop - 0.01)}));
   EXPECT_EQ(plan.outcome, MoveOutcome::kGoalInCollision);
   EXPECT_NE(plan.reason.find("table"), std::string::npos) << plan.reason;
-  // Behind a wall, in the same posture: there is a way around, but not within two tests.
+
+  // Behind a wall, in the same configuration: there is a way around, but not within two tests.
   CollisionWorld wall = demoWorld();
   wall.addBox("wall", {0.50, 0.01, 0.45}, at(0.60, -0.25, kTableTop + 0.225));
   MoveRequest behind;
@@ -68,7 +69,7 @@ TEST(Move, SaysWhyNot) {
   ArmSolutions solutions;
   toolArm().inverse(down(0.5, -0.45, 0.4), behind.start, &solutions);
   for (const ArmSolution& s : solutions)
-    if (s.branch == toolArm().arm.branch(behind.start) && behind.joints.empty())
+    if (s.configuration == toolArm().arm.configuration(behind.start) && behind.joints.empty())
       behind.joints.push_back(s.joints);
   ASSERT_EQ(behind.joints.size(), 1u);
   EXPECT_TRUE(planMove(toolArm(), wall, behind).planned());

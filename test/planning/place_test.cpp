@@ -18,7 +18,7 @@ PlaceRequest placeRequest(double lift) {
   ArmSolutions solutions;
   toolArm().inverse(tcp, pick.start, &solutions);
   for (const ArmSolution& s : solutions)
-    if (s.branch == toolArm().arm.branch(pick.start)) request.start = s.joints;
+    if (s.configuration == toolArm().arm.configuration(pick.start)) request.start = s.joints;
   request.opening = pick.target.opening;
   request.part_width = pick.target.part_width;
   request.drops = pick.drops;
@@ -75,6 +75,7 @@ TEST(Place, WithdrawsFromANarrowPlace) {
   ASSERT_TRUE(plan.planned()) << toString(plan.outcome) << ": " << plan.reason;
   ASSERT_EQ(plan.motions.size(), 4u);
   EXPECT_EQ(plan.motions[0].stage, PickStage::kLift);
+
   CollisionWorld held = world;
   held.setGripperWidth(request.part_width);
   held.attach(request.object, request.tcp_from_object);

@@ -11,7 +11,7 @@ JointVector jointsAt(const Rigid3& base_from_tcp) {
   ArmSolutions solutions;
   toolArm().inverse(base_from_tcp, lookingJoints(), &solutions);
   for (const ArmSolution& s : solutions)
-    if (s.branch == Branch{Shoulder::kRight, Elbow::kUp, Wrist::kPositive}) return s.joints;
+    if (s.configuration == ArmConfiguration{Shoulder::kRight, Elbow::kUp, Wrist::kPositive}) return s.joints;
   return solutions[0].joints;
 }
 

@@ -41,7 +41,7 @@ inline JointVector lookingJoints() {
   ArmSolutions solutions;
   toolArm().inverse(down(0.45, 0.0, 0.62), JointVector::Zero(), &solutions);
   for (const ArmSolution& s : solutions)
-    if (s.branch == Branch{Shoulder::kRight, Elbow::kUp, Wrist::kPositive}) return s.joints;
+    if (s.configuration == ArmConfiguration{Shoulder::kRight, Elbow::kUp, Wrist::kPositive}) return s.joints;
   return solutions[0].joints;
 }
 

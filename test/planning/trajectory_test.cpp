@@ -92,6 +92,7 @@ TEST(TimeParameterise, StopsWhereTheCornerCannotBeCut) {
   const Trajectory stopping = timeParameterise(arm, {a, b, c}, test),
                    cutting = timeParameterise(arm, {a, b, c}, {});
   EXPECT_GT(stopping.duration(), cutting.duration());
+
   double nearest = 1, slowest = 1;
   for (double t = 0; t <= stopping.duration(); t += 1e-3) {
     ASSERT_LT(distanceToPath({a, b, c}, stopping.sample(t).position), 1e-7);

@@ -25,6 +25,7 @@ TEST(BestFour, WidestSpreadAndLeastUncertainty) {
     points.push_back(m);
   };
   for (int i = 0; i < 6; ++i) add(0.01 * std::cos(i), 0.01 * std::sin(i), 0.002 * i, 0.5);  // a tight bunch
+
   // 6..9, far apart
   add(0.1, 0.1, 0, 0.5);
   add(-0.1, 0.1, 0, 0.5);
@@ -34,6 +35,7 @@ TEST(BestFour, WidestSpreadAndLeastUncertainty) {
   add(0.1, 0.1, 0, 5);
   add(-0.1, -0.1, 0, 5);
   EXPECT_EQ(bestFour(points, pose, camera), (std::vector<int>{6, 7, 8, 9}));
+
   // A wide point that does not fit `start` is uncertain too.
   points[10].sigma = 0.5;
   points[6].uv.x() += 8;
@@ -72,6 +74,7 @@ TEST(BestFour, TooFewOrDegenerateGivesNone) {
     m.uv = camera.project(truth * m.p_in_object);
     row.push_back(m);
   }
+
   EXPECT_TRUE(bestFour(row, truth, camera).empty());
   for (PointMatch& m : points) m.uv.x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(bestFour(points, truth, camera).empty());

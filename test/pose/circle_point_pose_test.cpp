@@ -72,6 +72,7 @@ TEST(CirclePointPose, TheTruthComesFirst) {
 TEST(CirclePointPose, BothPosesShowTheCircle) {
   Random random(42);
   const Camera camera = unevenCamera();
+
   for (int i = 0; i < 1000; ++i) {
     const View v = randomView(random, camera, uniform(random, 10, 80) * M_PI / 180);
     const CirclePointPoses found = solve(v, camera);
@@ -129,6 +130,7 @@ TEST(CirclePointPose, TurningTheImageTurnsThePose) {
   Random random(45);
   Camera camera = unevenCamera();
   camera.fy = camera.fx;
+
   for (int i = 0; i < 500; ++i) {
     const View v = randomView(random, camera, uniform(random, 10, 80) * M_PI / 180);
     const double angle = uniform(random, 0, 2 * M_PI);

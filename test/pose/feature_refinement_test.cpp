@@ -194,6 +194,7 @@ TEST(FeatureRefinement, TheTurnAboutAFreeAxisIsOpenAndNothingElse) {
   EXPECT_LT(about(seen), 1e-3);
   const Eigen::Vector3d tilt = direction.unitOrthogonal();
   EXPECT_LT(tilt.dot(held.bottomRightCorner<3, 3>() * tilt), 1e-3);
+
   // The point on the axis stays where it is: its covariance is small, though the turn is open.
   const Eigen::Vector3d arm = truth() * axis.point - truth().translation;
   Eigen::Matrix<double, 3, 6> moves;

@@ -55,14 +55,13 @@ void expectSound(const Problem& problem, double tolerance = 1e-7) {
   }
 }
 
-Matrix3d randomTriangle(Random& random, double least_altitude) {
+Matrix3d randomTriangle(Random& random, double min_altitude) {
   for (;;) {
     Matrix3d p;
     for (int i = 0; i < 9; ++i) p(i) = uniform(random, -0.5, 0.5);
     const double longest =
         std::max({(p.col(0) - p.col(1)).norm(), (p.col(0) - p.col(2)).norm(), (p.col(1) - p.col(2)).norm()});
-    if ((p.col(1) - p.col(0)).cross(p.col(2) - p.col(0)).norm() > least_altitude * longest * longest)
-      return p;
+    if ((p.col(1) - p.col(0)).cross(p.col(2) - p.col(0)).norm() > min_altitude * longest * longest) return p;
   }
 }
 
@@ -148,6 +147,7 @@ TEST(P3P, LegsSatisfyTheCosineLaws) {
         EXPECT_NEAR(side, sides[k], 1e-12 * t.legs[s].sum());
       }
   }
+
   EXPECT_GT(solutions, 3000);  // 1.5 and more per problem: other roots than the true one are found too
 }
 
@@ -186,6 +186,7 @@ TEST(P3P, EquilateralAlongItsAxisHasFourSolutions) {
     if (std::abs(legs[0] - s) < 1e-9) ++equal;
     if (std::abs(legs[0] - s * (2 * cosine - 1)) < 1e-9) ++shortened;
   }
+
   EXPECT_EQ(equal, 1);
   EXPECT_EQ(shortened, 3);
 }
@@ -208,6 +209,7 @@ TEST(P3P, NearTheDangerCylinder) {
   Random random(5);
   const double distances[] = {1e-2, 1e-4, 0};
   const double tolerances[] = {1e-9, 1e-7, 1e-4};  // a double root keeps half of the digits
+
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 2000; ++i) {
       Matrix3d points;
@@ -396,12 +398,14 @@ TEST(P3P, NoSolutionIsAResult) {
   EXPECT_EQ(solveP3P(same, p.points).count, 0);
   EXPECT_EQ(solveTetrahedron(p.bearings, {1, 1, 3}).count, 0);  // no triangle
   EXPECT_EQ(solveTetrahedron(p.bearings, {1, 1, 0}).count, 0);
+
   // A triangle whose side 12 would have to be seen wider than the other two views allow.
   Matrix3d wide;
   wide << -0.9, 0.9, 0, 0, 0, 0.05, 0.2, 0.2, 1;
   wide.colwise().normalize();
   const PoseSolutions none = solveP3P(wide, (Matrix3d() << 0, 0.05, 0.5, 0, 0, 0.7, 0, 0, 0).finished());
   for (int i = 0; i < none.count; ++i) EXPECT_TRUE(none.camera_from_object[i].isFinite());
+
   const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
   for (const double value : bad)
     for (int i = 0; i < 9; ++i) {

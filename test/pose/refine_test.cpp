@@ -27,6 +27,7 @@ std::vector<LineMatch> boxEdges(const Rigid3& pose, const Camera& camera, int pe
                                 Random& random) {
   const Vector3d half(0.06, 0.04, 0.03);
   std::vector<LineMatch> lines;
+
   for (int axis = 0; axis < 3; ++axis)
     for (int corner = 0; corner < 4; ++corner)
       for (int i = 0; i < per_edge; ++i) {
@@ -50,6 +51,7 @@ std::vector<LineMatch> boxEdges(const Rigid3& pose, const Camera& camera, int pe
 TEST(Refine, DerivativesAgreeWithDifferences) {
   Random random(21);
   const Camera camera = unevenCamera();
+
   for (int draw = 0; draw < 200; ++draw) {
     const Rigid3 pose = randomPose(random);
     const LineMatch line = boxEdges(pose, camera, 1, 3, random)[draw % 12];
@@ -142,6 +144,7 @@ TEST(Refine, OutliersDoNotBendThePose) {
     plain +=
         difference(truth, refinePose(start, camera, lines, {}, options).camera_from_object).head<3>().norm();
   }
+
   EXPECT_LT(robust, 0.004);       // the worst of 100; a sigma is 0.5 to 1 mm in depth
   EXPECT_GT(plain / 100, 0.004);  // least squares, on average
 }
@@ -160,6 +163,7 @@ Scatter scatter(int draws, double robust_scale, double outliers, bool points_too
   RefineOptions options;
   options.robust_scale = robust_scale;
   options.max_iterations = 30;
+
   for (int draw = 0; draw < draws; ++draw) {
     std::vector<LineMatch> lines = boxEdges(truth, camera, 5, 0.4, random);
     std::vector<PointMatch> points;
@@ -280,6 +284,7 @@ TEST(Refine, OpenDirectionsAreSaid) {
     m.normal = {0, 1};
     lines.push_back(m);
   }
+
   const RefinedPose found = refinePose(truth, camera, lines, {});
   EXPECT_FALSE(found.well_posed);
   EXPECT_TRUE(found.camera_from_object.isFinite());
@@ -375,6 +380,7 @@ TEST(Refine, TurningTheImageTurnsThePose) {
 TEST(Refine, IdenticalAndCollinearPointsFixNoPose) {
   Random random(31);
   const Camera camera = unevenCamera();
+
   for (int draw = 0; draw < 50; ++draw) {
     const Rigid3 truth = randomPose(random);
     for (const bool identical : {true, false}) {

@@ -49,6 +49,7 @@ CirclePose randomCircle(Random& random, double distance, double tilt) {
 TEST(CirclePose, KnownSolutions) {
   std::ifstream file(std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/test/pose/data/circle_pose.txt");
   ASSERT_TRUE(file);
+
   std::string line;
   int circles = 0;
   while (std::getline(file, line)) {
@@ -72,12 +73,14 @@ TEST(CirclePose, KnownSolutions) {
     for (const CirclePose& c : expected)
       EXPECT_LT(std::min(error(found.pose[0], c), error(found.pose[1], c)), 1e-8) << "circle " << circles;
   }
+
   EXPECT_EQ(circles, 20);
 }
 
 TEST(CirclePose, RandomCirclesOffAxis) {
   Random random(11);
   const Camera camera = unevenCamera();
+
   for (int i = 0; i < 5000; ++i) {
     const double radius = uniform(random, 0.005, 0.1), tilt = uniform(random, 5, 80) * M_PI / 180;
     const CirclePose truth = randomCircle(random, uniform(random, 3, 40) * radius, tilt);
@@ -154,13 +157,13 @@ CornerView view(Random& random, const Matrix3d& directions) {
     v.truth = randomRotation(random);
     v.seen.corner = Vector3d(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4), 1).normalized();
     const Vector3d at = v.seen.corner * uniform(random, 2, 20);
-    double least = 1;  // edges seen end-on or on one line leave the problem undefined
+    double min_angle = 1;  // edges seen end-on or on one line leave the problem undefined
     for (int i = 0; i < 3; ++i) {
       const Vector3d end = at + v.truth * directions.col(i) * uniform(random, 0.3, 1);
       v.seen.far_points.col(i) = end.normalized();
-      least = std::min(least, std::abs(v.seen.corner.cross(v.truth * directions.col(i)).norm()));
+      min_angle = std::min(min_angle, std::abs(v.seen.corner.cross(v.truth * directions.col(i)).norm()));
     }
-    if (least > 0.05) return v;
+    if (min_angle > 0.05) return v;
   }
 }
 

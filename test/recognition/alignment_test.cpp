@@ -61,6 +61,7 @@ TEST_P(Alignment, CoarseThenFineFindsBackFrom4Degrees4PxAnd4Percent) {
         alignFinely(model_, image_, moved->camera_from_object, kFineRanges, kFineStep);
     fine += refined.well_posed && imageError(refined.camera_from_object) < 1.5;
   }
+
   EXPECT_GE(coarse, 18);
   EXPECT_GE(fine, 18);
 }
@@ -110,6 +111,7 @@ TEST_P(Alignment, TheProjectedContourLiesOnTheImageEdges) {
     outline += s.silhouette;
     on_edge += image_.raster.find(s.uv, {-s.direction.y(), s.direction.x()}, 2) >= 0;
   }
+
   EXPECT_GT(outline, 10);
   EXPECT_GT(on_edge, 0.8 * double(contour.size()));
   const auto coarse = projectContour(model_.model(), truth_, picture_.camera, image_.domain, 8.0);
@@ -127,6 +129,7 @@ TEST(ProjectedContour, TellsHowFarARoundedEdgeMayLieFromItsMiddle) {
   const RectDomain domain = withFeatures(picture.grey, picture.camera, {}).domain;
   ASSERT_FALSE(model.edges.empty());
   for (ModelEdge& edge : model.edges) edge.rounding = 1e-3;
+
   int of_edges = 0;
   for (const SeenSample& s : projectContour(model, pose, picture.camera, domain, 2)) {
     if (s.feature >= int(model.edges.size())) {

@@ -1,6 +1,6 @@
 // Poses of one part that are nearly alike, held against each other.
 #include "monocular_eye_hand/recognition/contest.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <opencv2/core.hpp>
 
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 #include "world.h"
 
 namespace monocular_eye_hand {

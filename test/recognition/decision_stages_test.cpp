@@ -5,7 +5,7 @@
 
 #include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 #include "recognition/hypotheses.h"
 #include "recognition/judging.h"
 #include "recognition/nearby_poses.h"
@@ -40,13 +40,14 @@ struct SearchOf {
 };
 
 // How near the best of the hypotheses from so many segments comes to the picture's object [px].
-double nearestFromSegments(const std::string& name, const Picture& picture, size_t most) {
+double nearestFromSegments(const std::string& name, const Picture& picture, size_t max_segments) {
   const SearchOf search(name, picture);
   const int object = search.wanted[0];
   HypothesisPool pool(search.task, object);
   WorkBudget no_limit;
   const std::vector<char> all(search.image.features.segments.size(), 1);
-  hypothesesFromEdges(search.task, object, mostTellingSegments(search.image, all, most), &pool, &no_limit);
+  hypothesesFromEdges(search.task, object, mostTellingSegments(search.image, all, max_segments), &pool,
+                      &no_limit);
 
   double nearest = std::numeric_limits<double>::max();
   for (const Hypothesis& h : pool.take(100))

@@ -1,7 +1,7 @@
 // The terms that compare a drawing with the image, each where it should and where it should not show.
 #include "recognition/drawing_terms.h"
 
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 #include "verified.h"
 
 namespace monocular_eye_hand {
@@ -110,6 +110,7 @@ TEST(Prints, StayWithinTheFaceAndAreToldFromEdgesThatRunThroughIt) {
   const EvidenceTerms printed =
       verified(looked(renderScene(scene, testCamera(), withoutShadows()).grey, testCamera()), model, pose)
           .terms;
+
   EXPECT_LT(plain.print, 0.01);
   EXPECT_GT(printed.print, 0.03);
   EXPECT_LT(printed.through, 0.01);

@@ -165,12 +165,14 @@ TEST(RectDomain, ReachesToTheUndistortedBorderAndNotBeyond) {
     return p.x() >= domain.u0 - 0.5 && p.y() >= domain.v0 - 0.5 && p.x() <= domain.u0 + domain.width - 0.5 &&
            p.y() <= domain.v0 + domain.height - 0.5;
   };
+
   const auto walk = [&](double inset, auto&& look) {
     for (int u = 0; u < camera.width; ++u)
       for (double v : {inset, camera.height - 1 - inset}) look(Eigen::Vector2d(u, v));
     for (int v = 0; v < camera.height; ++v)
       for (double u : {inset, camera.width - 1 - inset}) look(Eigen::Vector2d(u, v));
   };
+
   walk(0,
        [&](const Eigen::Vector2d& raw) { ASSERT_TRUE(inBounds(camera.undistort(raw))) << raw.transpose(); });
   walk(1.5, [&](const Eigen::Vector2d& raw) {

@@ -82,6 +82,7 @@ TEST(RecognitionOptions, EveryFieldIsWrittenAndReadBack) {
   RecognitionOptions again;
   readOptions(parseYaml(toYaml(written)), &again);
   EXPECT_EQ(writeOptions(again), written);
+
   const OptionTree defaults = writeOptions(RecognitionOptions{});
   for (const auto& [key, value] : written.map) EXPECT_NE(*defaults.find(key), value) << key;
 }

@@ -95,6 +95,7 @@ TEST_F(EveryKind, GivesTheTruePose) {
       found[known.kind] += error < (stepped ? kStepped : kExact);
     }
   }
+
   EXPECT_EQ(tried.size(), size_t(kGroupingKinds - 1)) << "the shipped parts have every kind of grouping";
   // Coplanar points seen head-on, or three points on the danger cylinder, may have the true pose as a double
   // root that noise of 1e-16 makes complex.
@@ -108,6 +109,7 @@ TEST_F(EveryKind, ARangeLeavesOutWhatIsSurelyNearerAndNothingElse) {
   const DistanceRange far{8 * object.diameter, 100 * object.diameter};
   const auto farEnough = [&](const Rigid3& pose) { return (pose * object.centre()).norm() >= far.nearest; };
   int left_out = 0, far_ones = 0;
+
   for (const ModelGrouping& known : model.groupings()) {
     if (known.points.size() < 3) continue;
     const Seen seen =  // at 4 diameters
@@ -125,6 +127,7 @@ TEST_F(EveryKind, ARangeLeavesOutWhatIsSurelyNearerAndNothingElse) {
         left_out += int(all.size() - within.size());
       }
   }
+
   EXPECT_GT(left_out, 0);
   EXPECT_GT(far_ones, 0);
 }
@@ -149,6 +152,7 @@ TEST_F(EveryKind, ACornerWhoseEndsAreCutOffButOneIsEnough) {
       found += nearest(model, known, seen, pose) < kExact;
     }
   }
+
   ASSERT_GT(tried, 30);
   EXPECT_GE(found, 0.95 * tried);
 }

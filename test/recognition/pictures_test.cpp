@@ -130,6 +130,7 @@ TEST(NothingKnown, PlainNoiseChecksAndStripesAreNothing) {
   const Camera camera = testCamera();
   const cv::Size size(camera.width, camera.height);
   for (int level : {0, 128, 255}) expectNothing(cv::Mat(size, CV_8UC1, cv::Scalar(level)), camera, "plain");
+
   cv::RNG random(5);
   cv::Mat noise(size, CV_8UC1), soft;
   random.fill(noise, cv::RNG::UNIFORM, 0, 256);

@@ -72,27 +72,28 @@ TEST(BadInputs, AnEmptyModelBaseOrABadOptionIsRefusedAtOnce) {
 
 TEST(BadInputs, ImagesThatAreEmptyColouredDeepOrOfAnotherSizeAreRefused) {
   const Camera camera = testCamera();
-  const auto tell = [&](const cv::Mat& image) {
+  const auto refusalOf = [&](const cv::Mat& image) {
     return refusal([&] { shippedRecognizer().recognize(image, camera); });
   };
-  EXPECT_THAT(tell({}), HasSubstr("empty"));
-  EXPECT_THAT(tell(cv::Mat(480, 640, CV_8UC3, cv::Scalar(9, 9, 9))), HasSubstr("8-bit grey"));
-  EXPECT_THAT(tell(cv::Mat(480, 640, CV_16UC1, cv::Scalar(9))), HasSubstr("8-bit grey"));
-  EXPECT_THAT(tell(cv::Mat(640, 480, CV_8UC1, cv::Scalar(9))),
+  EXPECT_THAT(refusalOf({}), HasSubstr("empty"));
+  EXPECT_THAT(refusalOf(cv::Mat(480, 640, CV_8UC3, cv::Scalar(9, 9, 9))), HasSubstr("8-bit grey"));
+  EXPECT_THAT(refusalOf(cv::Mat(480, 640, CV_16UC1, cv::Scalar(9))), HasSubstr("8-bit grey"));
+  EXPECT_THAT(refusalOf(cv::Mat(640, 480, CV_8UC1, cv::Scalar(9))),
               AllOf(HasSubstr("480 x 640"), HasSubstr("640 x 480")));
 }
 
 TEST(BadInputs, ACameraWithoutCalibrationIsRefused) {
   const cv::Mat image(480, 640, CV_8UC1, cv::Scalar(100));
-  const auto tell = [&](auto&& spoil) {
+  const auto refusalOf = [&](auto&& spoil) {
     Camera camera = testCamera();
     spoil(&camera);
     return refusal([&] { shippedRecognizer().recognize(image, camera); });
   };
-  EXPECT_THAT(tell([](Camera* c) { c->fx = 0; }), HasSubstr("fx"));
-  EXPECT_THAT(tell([](Camera* c) { c->fy = std::numeric_limits<double>::quiet_NaN(); }), HasSubstr("fy"));
-  EXPECT_THAT(tell([](Camera* c) { c->cx = -100; }), HasSubstr("cx"));
-  EXPECT_THAT(tell([](Camera* c) { c->width = 0; }), HasSubstr("width"));
+  EXPECT_THAT(refusalOf([](Camera* c) { c->fx = 0; }), HasSubstr("fx"));
+  EXPECT_THAT(refusalOf([](Camera* c) { c->fy = std::numeric_limits<double>::quiet_NaN(); }),
+              HasSubstr("fy"));
+  EXPECT_THAT(refusalOf([](Camera* c) { c->cx = -100; }), HasSubstr("cx"));
+  EXPECT_THAT(refusalOf([](Camera* c) { c->width = 0; }), HasSubstr("width"));
 }
 
 TEST(SameQuestion, SameAnswerBitByBitAgainAndFromTwoThreadsAtOnce) {

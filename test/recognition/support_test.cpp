@@ -4,7 +4,7 @@
 #include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/geometry/look_at.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 #include "support/pose_matchers.h"
 #include "world.h"
 

@@ -87,6 +87,7 @@ TEST(FreeAxis, IsNamedAndItsAngleIsUnknown) {
 TEST(FreeAxis, TheAngleOfTheLastFrameIsKept) {
   const ObjectEstimate first = theOnly("flange");
   const SymmetryAxis& axis = shippedModel("flange").symmetries.axis.value();
+
   for (double angle : {0.5, 2.0, -1.3, 3.1}) {
     RecognitionRequest request;
     request.previous = {first};

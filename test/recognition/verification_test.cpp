@@ -4,7 +4,7 @@
 
 #include "model/build_model.h"
 #include "monocular_eye_hand/pose/refine.h"
-#include "monocular_eye_hand/simulation/render.h"
+#include "monocular_eye_hand/simulation/render/render.h"
 #include "recognition/constellation.h"
 #include "verified.h"
 

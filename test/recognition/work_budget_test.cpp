@@ -61,8 +61,8 @@ TEST(WorkBudget, WithoutLimitsNothingIsEverSpent) {
 }
 
 // What a piece of at most `most` does before it stops.
-WorkBudget donePiece(const WorkBudget& budget, long long most) {
-  WorkBudget piece = budget.upTo(most);
+WorkBudget donePiece(const WorkBudget& budget, long long max_work) {
+  WorkBudget piece = budget.upTo(max_work);
   while (!piece.spent()) piece.count();
   return piece;
 }

@@ -12,7 +12,7 @@
 #include "monocular_eye_hand/model/equal_poses.h"
 #include "monocular_eye_hand/model/model_base.h"
 #include "monocular_eye_hand/recognition/recognizer.h"
-#include "monocular_eye_hand/simulation/truth.h"
+#include "monocular_eye_hand/simulation/render/truth.h"
 #include "recognition/reporting.h"
 #include "support/camera.h"
 

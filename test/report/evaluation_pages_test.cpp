@@ -71,6 +71,7 @@ class EvaluationPages : public testing::Test {
     models_[4] = model;
     known_.objects.push_back({buildModel("box", boxMesh()), {}});
     split_.width = 640;
+
     for (int id = 0; id < 2; ++id) {
       BopImage image;
       image.scene = 1;
@@ -79,6 +80,7 @@ class EvaluationPages : public testing::Test {
       image.truth.push_back({4, pose(0), 1.0});
       split_.images.push_back(image);
     }
+
     results_ = {{1, 0, 4, 0.9, pose(0), 0.5}, {1, 1, 4, 0.7, pose(0.15), 0.5}};
     judged_ = {judged(0, 0.9, pose(0), JudgedPose::kReported),
                judged(1, 0.7, pose(0.15), JudgedPose::kReported),

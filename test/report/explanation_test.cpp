@@ -97,6 +97,7 @@ TEST_F(Explain, PageShowsEveryStageAndEveryPictureExists) {
     EXPECT_EQ(file.find(':'), std::string::npos) << "nothing is fetched from elsewhere: " << file;
     pictures.insert(file);
   }
+
   for (const char* file :
        {"image.png", "traces.png", "segments.png", "ellipses.png", "line_groups.png", "groupings_0.png",
         "object_0.png", "object_1.png", "rejected_0.png", "result.png"}) {
@@ -206,6 +207,7 @@ TEST(ResultDrawing, ColoursByDecisionAndOnePicturePerObject) {
   EXPECT_FALSE(shows(all, decisionColour(Decision::kRejected)));
   EXPECT_TRUE(
       shows(drawResult(greyImage(), camera(), models, result, true), decisionColour(Decision::kRejected)));
+
   const std::vector<cv::Mat> single = drawBackProjections(greyImage(), camera(), models, result);
   ASSERT_EQ(single.size(), 2u);
   EXPECT_TRUE(shows(single[0], decisionColour(Decision::kAccepted)));

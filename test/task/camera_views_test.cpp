@@ -59,11 +59,11 @@ TEST_F(CameraViews, LookAtTheTargetFromWithinReach) {
                                nearLook(0), nearLook(1), nearLook(3)}) {
     const std::vector<Rigid3> poses = views(view);
     ASSERT_FALSE(poses.empty());
-    EXPECT_LE(int(poses.size()), options.most);
+    EXPECT_LE(int(poses.size()), options.max_views);
     for (const Rigid3& pose : poses) {
       const Eigen::Vector3d in_camera = pose.inverse() * kTarget;
       EXPECT_NEAR(in_camera.head<2>().norm(), 0, 1e-9) << "the target is in the middle of the image";
-      EXPECT_GE(in_camera.z(), options.nearest - 1e-9);
+      EXPECT_GE(in_camera.z(), options.min_distance - 1e-9);
       EXPECT_LE(in_camera.z(), view.near ? options.near_distance + 1e-9 : options.overview_distance + 1e-9);
       EXPECT_GT(pose.translation.z(), kTarget.z() + 0.1);
       ArmSolutions solutions;
@@ -90,7 +90,7 @@ TEST_F(CameraViews, EveryNearLookIsNearerUntilTheNearest) {
     EXPECT_LT(distance, before);
     before = distance;
   }
-  EXPECT_NEAR((views(nearLook(9))[0].translation - kTarget).norm(), options.nearest, 1e-9);
+  EXPECT_NEAR((views(nearLook(9))[0].translation - kTarget).norm(), options.min_distance, 1e-9);
 }
 
 TEST_F(CameraViews, ASearchIsNearerAndLowerThanAnOverview) {
@@ -116,14 +116,14 @@ TEST_F(CameraViews, WhatIsWrongIsNamed) {
     return refusal([&] { views(overview(0), kTarget, options); });
   };
   CameraViewOptions options;
-  options.nearest = 0.5;
-  EXPECT_THAT(refusalOf(options), testing::HasSubstr("nearest"));
+  options.min_distance = 0.5;
+  EXPECT_THAT(refusalOf(options), testing::HasSubstr("min_distance"));
   options = {};
   options.overview_elevation = 2;
   EXPECT_THAT(refusalOf(options), testing::HasSubstr("overview_elevation"));
   options = {};
-  options.most = 0;
-  EXPECT_THAT(refusalOf(options), testing::HasSubstr("most"));
+  options.max_views = 0;
+  EXPECT_THAT(refusalOf(options), testing::HasSubstr("max_views"));
   EXPECT_THROW(views(overview(0), {NAN, 0, 0}), BadInput);
 }
 

@@ -252,7 +252,7 @@ TEST(ClearFrame, RoundsAreBounded) {
       world.put(kBridge, int(world.things.size()), at(0.5, 0));
   };
   ClearFrameOptions options;
-  options.most_rounds = 5;
+  options.max_rounds = 5;
   const TaskResult result = ClearFrameTask(&kModels, &world, options).run();
   EXPECT_EQ(result.rounds, 5);
   EXPECT_LE(world.motions, 10);

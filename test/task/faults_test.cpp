@@ -199,6 +199,7 @@ TEST(Faults, WhatDoesNotAnswerIsNamed) {
   EXPECT_EQ(result.outcome, TaskOutcome::kFault);
   EXPECT_THAT(result.reason, HasSubstr("the gripper does not answer"));
   EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kHeld);
+
   World stuck;
   stuck.put(kBridge, 0, at(0.5, 0)).picks = {{ActionOutcome::kGraspLost, "slipped"}};
   stuck.opens = {ActionOutcome::kFault, "no state"};

@@ -75,6 +75,7 @@ class World : public TaskWorld {
     }
     seen.done = true;
     seen.stamp = ++clock;
+
     for (Thing& t : things) {
       const bool wanted =
           view.near && t.object.object == view.object.object && t.object.number == view.object.number;
@@ -102,6 +103,7 @@ class World : public TaskWorld {
       plan.too_uncertain = true;
       plan.reason = "3 sigma need 9 mm, the gripper leaves 5 mm";
     }
+
     if (!plan.reason.empty()) return grasps;
     for (int k = 0; k < 3; ++k) {
       GraspCandidate c;

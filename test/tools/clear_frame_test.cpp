@@ -25,6 +25,7 @@ class ClearFrameTool : public ToolWorld {
                             {"held", false},
                             {"in_drop_zone", in_zone}};
     };
+
     const nlohmann::json grasp{{"position", {0.5, 0, 0.35}}, {"quaternion", {1, 0, 0, 0}}};
     const nlohmann::json result{{"outcome", 0}, {"reason", ""}, {"planning_s", 0.3}, {"motion_s", 4.0}};
     const nlohmann::json pick{{"name", "bridge"},

@@ -65,6 +65,7 @@ TEST_F(Evaluate, ResultsTimesAndTheScoresOfWhatItWrote) {
   const auto summaries = summarize(split, models, rows, times);
   for (const SceneSummary& summary : summaries) EXPECT_THAT(result.out, HasSubstr(summaryLine(summary)));
   EXPECT_EQ(summaries[0].found, 2) << result.out;
+
   char ar[50];
   std::snprintf(ar, sizeof ar, "AR_MSPD %.6f", scoreBop(split, models, rows).ar_mspd);
   EXPECT_THAT(result.out, HasSubstr(ar));
@@ -83,6 +84,7 @@ TEST_F(Evaluate, AllAddsTheRejectedAndDumpTellsOfEveryCandidate) {
   EXPECT_THAT(header,
               testing::StartsWith("scene_id,im_id,obj_id,name,decision,probability,plausibility,reliability,"
                                   "gt_id,mspd_px,mssd_d,visib,"));
+
   const auto columns = std::count(header.begin(), header.end(), ',');
   EXPECT_THAT(header, HasSubstr(",candidate,fate,suppressed_by,conflicts,kind,rank_score,contests,r11,"));
   size_t chosen = 0;
@@ -94,6 +96,7 @@ TEST_F(Evaluate, AllAddsTheRejectedAndDumpTellsOfEveryCandidate) {
     double mspd = 0;
     if (std::sscanf(line.c_str(), "1,0,1,bridge,%*[a-z],%*f,%*f,%*f,0,%lf", &mspd) == 1) near |= mspd < 3;
   }
+
   EXPECT_EQ(chosen, all);
   EXPECT_TRUE(near) << readText(path("d.csv"));
 }
@@ -142,6 +145,7 @@ TEST_F(Evaluate, BadInputIsToldBeforeTheWork) {
     EXPECT_EQ(result.code, 1) << arguments;
     return result.err;
   };
+
   EXPECT_THAT(refusal("--dataset none --split dev --out r.csv"), HasSubstr("none"));
   EXPECT_THAT(refusal("--dataset set --split test --out r.csv"), HasSubstr("test: no such folder"));
   EXPECT_THAT(refusal("--dataset set --split dev --out no/where/r.csv"),

@@ -30,6 +30,7 @@ class FitDecision : public ToolWorld {
     std::uniform_real_distribution<double> uniform(0, 1);
     std::ostringstream text;
     text << header();
+
     for (int i = 0; i < count; ++i) {
       PoseContest contest;
       contest.visit([&](const char*, double& value) { value = normal(random); });

@@ -109,6 +109,7 @@ TEST_F(Recognize, BadInputIsTold) {
   EXPECT_THAT(refusal(base), HasSubstr("no image given"));
   EXPECT_THAT(refusal("--objects none.yaml --camera camera.yaml blank.png"), HasSubstr("none.yaml"));
   EXPECT_THAT(refusal("--objects objects.yaml --camera none.yaml blank.png"), HasSubstr("none.yaml"));
+
   const std::string unknown = refusal(base + "--only brigde blank.png");
   EXPECT_THAT(unknown, HasSubstr("brigde"));
   EXPECT_THAT(unknown, HasSubstr("bridge, bracket"));
@@ -117,6 +118,7 @@ TEST_F(Recognize, BadInputIsTold) {
   EXPECT_THAT(refusal(base + "--time-limit -1 blank.png"), HasSubstr("--time-limit"));
   for (const char* seconds : {"-1", "2", "1.5"})
     EXPECT_THAT(refusal(base + "--budget " + seconds + " blank.png"), HasSubstr("--time-limit")) << seconds;
+
   EXPECT_THAT(refusal(base + "--work 500 blank.png"), HasSubstr("--budget"));
   EXPECT_THAT(refusal(base + "--no-such-option blank.png"), HasSubstr("--no-such-option"));
   write("options.yaml", "budget: many\n");

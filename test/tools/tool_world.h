@@ -11,8 +11,8 @@
 #include <string>
 
 #include "monocular_eye_hand/mesh/load_mesh.h"
-#include "monocular_eye_hand/simulation/render.h"
-#include "monocular_eye_hand/simulation/truth.h"
+#include "monocular_eye_hand/simulation/render/render.h"
+#include "monocular_eye_hand/simulation/render/truth.h"
 #include "support/camera.h"
 
 namespace monocular_eye_hand {

@@ -10,7 +10,7 @@ struct GripperReading {
   bool stalled = false;  ///< something stops them
 
   /// Whether something, of whatever shape, keeps the pads farther apart than this [m].
-  bool holds(double least_width) const { return stalled && width > least_width; }
+  bool holds(double min_width) const { return stalled && width > min_width; }
 };
 
 }  // namespace monocular_eye_hand

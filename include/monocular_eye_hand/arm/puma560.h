@@ -55,31 +55,31 @@ enum class Shoulder { kRight, kLeft };
 enum class Elbow { kUp, kDown };
 enum class Wrist { kPositive, kNegative };  ///< sign of joint 5
 
-/// Which of the eight postures (docs/conventions.md).
-struct Branch {
+/// Which of the eight configurations (docs/conventions.md).
+struct ArmConfiguration {
   Shoulder shoulder = Shoulder::kRight;
   Elbow elbow = Elbow::kUp;
   Wrist wrist = Wrist::kPositive;
 
-  bool operator==(const Branch& o) const {
+  bool operator==(const ArmConfiguration& o) const {
     return shoulder == o.shoulder && elbow == o.elbow && wrist == o.wrist;
   }
-  bool operator!=(const Branch& o) const { return !(*this == o); }
+  bool operator!=(const ArmConfiguration& o) const { return !(*this == o); }
 };
 /// "right-up-positive" and so on; used in messages.
-std::string toString(const Branch& branch);
-/// The branch of that name. Throws BadInput naming the eight there are.
-Branch branchOf(const std::string& name);
+std::string toString(const ArmConfiguration& configuration);
+/// The configuration of that name. Throws BadInput naming the eight there are.
+ArmConfiguration branchOf(const std::string& name);
 
 struct ArmSolution {
   JointVector joints;
-  Branch branch;
+  ArmConfiguration configuration;
 };
 
 /// All ways to reach a pose; fixed capacity, no allocation.
 class ArmSolutions {
  public:
-  static constexpr int kCapacity = 8 * 27;  ///< 8 branches, up to 3 turns of joints 1, 4 and 6 each
+  static constexpr int kCapacity = 8 * 27;  ///< 8 configurations, up to 3 turns of joints 1, 4 and 6 each
   int size() const { return size_; }
   bool empty() const { return size_ == 0; }
   const ArmSolution& operator[](int i) const { return solutions_[i]; }
@@ -117,16 +117,17 @@ class Puma560 {
   /// Geometric Jacobian of tool0 in base: rows velocity [m/s], angular velocity [rad/s] per joint [rad/s].
   Matrix6d jacobian(const JointVector& joints) const;
   Singularity singularity(const JointVector& joints) const;
-  /// The posture these joints are in; at a singularity the first of the two that meet there.
-  Branch branch(const JointVector& joints) const;
+  /// The configuration these joints are in; at a singularity the first of the two that meet there.
+  ArmConfiguration configuration(const JointVector& joints) const;
 
-  /// Every posture, with every whole turn inside the limits, that reaches the pose; none when it is out of
-  /// reach. By Paul & Zhang (Int. J. Robotics Research 5(2), 1986); no allocation. What it returns reaches
+  /// Every configuration, with every whole turn inside the limits, that reaches the pose; none when it is out
+  /// of reach. By Paul & Zhang (Int. J. Robotics Research 5(2), 1986); no allocation. What it returns reaches
   /// the pose to 1e-12 m and 1e-12 rad, also at and near the singularities:
   /// - wrist straight (q5 = 0): only q4 + q6 is defined. Joint 4 keeps `current`, or moves as little as the
-  ///   limits of joint 6 ask; the two wrist postures are one, kPositive.
-  /// - arm stretched: the elbow postures are one, kUp. Wrist centre on the plane of axis 1: the shoulder
-  ///   postures are one, kRight. A pose beyond these by less than 5e-13 m is taken to be on them.
+  ///   limits of joint 6 ask; the two wrist configurations are one, kPositive.
+  /// - arm stretched: the elbow configurations are one, kUp. Wrist centre on the plane of axis 1: the
+  /// shoulder
+  ///   configurations are one, kRight. A pose beyond these by less than 5e-13 m is taken to be on them.
   /// - wrist centre on axis 1 (only with d3 = 0): joint 1 keeps `current`, whether or not the wrist can
   /// follow. Throws BadInput when the pose or `current` is not finite or the rotation is none (orthonormal to
   /// 1e-6; beyond 1e-14 the tool is turned by as much as the matrix is off).

@@ -89,7 +89,7 @@ struct FollowOptions {
 
 /// How arm and gripper are driven. Silences and time-outs count by Robot::since().
 struct ExecutionOptions {
-  double start_tolerance = 0.01;   ///< a kept plan is used when every joint is so near to its start [rad]
+  double start_tolerance = 0.01;   ///< a kept plan is used when every joint is within this of its start [rad]
   double joint_silence = 2.0;      ///< the joint states must not be silent for longer [s]
   double gripper_silence = 2.0;    ///< nor the gripper's [s]
   double gripper_timeout = 10.0;   ///< longest way of the fingers [s]

@@ -22,8 +22,8 @@ struct ObjectMapOptions {
   int outliers_to_restart = 2;   ///< so many outliers in a row that agree, or fewer that are surer than all
                                  ///< that spoke for the known pose: the object starts afresh
   double min_motion = 0.01;      ///< views from nearer camera places share their errors [m] ...
-  double min_turn = 0.03;        ///< ... unless the camera turned by this [rad]: they are not averaged
-  int most_views = 200;          ///< merged per object; more tell nothing new
+  double min_rotation = 0.03;    ///< ... unless the camera turned by this [rad]: they are not averaged
+  int max_views = 200;           ///< merged per object; more tell nothing new
   double overlap_depth = 0.004;  ///< two objects that reach into each other deeper are not both there [m]
   /// What reaches deeper than this, and known_sigmas of its pose, into table, walls or the hand is not there
   /// [m].
@@ -54,8 +54,8 @@ struct ObjectMapOptions {
 
     v("outliers_to_restart", outliers_to_restart);
     v("min_motion", min_motion);
-    v("min_turn", min_turn);
-    v("most_views", most_views);
+    v("min_rotation", min_rotation);
+    v("max_views", max_views);
     v("overlap_depth", overlap_depth);
     v("forget_after_misses", forget_after_misses);
     v("known_depth", known_depth);

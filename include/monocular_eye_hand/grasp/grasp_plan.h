@@ -19,9 +19,9 @@ struct GraspPlanOptions {
   double obstacle_clearance = 0.003;  ///< of everything from the obstacles [m]
   double min_wrist = 0.05;            ///< least |sin q5| at the three poses
   double max_joint_step = 1.2;        ///< no joint turns farther than this from pose to pose [rad]
-  int turns = 16;                     ///< about a free axis of the object
-  int branches = 2;                   ///< arm postures kept per grasp
-  int most = 40;                      ///< candidates kept
+  int rotation_steps = 16;            ///< about a free axis of the object
+  int configurations = 2;             ///< of the arm, kept per grasp
+  int max_candidates = 40;            ///< kept
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
@@ -36,9 +36,9 @@ struct GraspPlanOptions {
     v("obstacle_clearance", obstacle_clearance);
     v("min_wrist", min_wrist);
     v("max_joint_step", max_joint_step);
-    v("turns", turns);
-    v("branches", branches);
-    v("most", most);
+    v("rotation_steps", rotation_steps);
+    v("configurations", configurations);
+    v("max_candidates", max_candidates);
   }
 };
 
@@ -69,7 +69,7 @@ enum class GraspRefusal {
   kClearance,    ///< the pose is too uncertain for the opening or the pads
   kPart,         ///< hand or fingers would meet the part itself
   kObstacle,     ///< ... or another one
-  kUnreachable,  ///< no posture reaches all three poses within the joint limits
+  kUnreachable,  ///< no configuration of the arm reaches all three poses within the joint limits
   kSingular,     ///< ... only through the wrist's singularity or with long joint ways
 };
 std::string toString(GraspRefusal refusal);
@@ -80,7 +80,7 @@ struct GraspCandidate {
   double part_width = 0;                                       ///< of the part between the pads [m]
   double opening = 0;  ///< of the gripper at pre-grasp and until it closes [m]
   Eigen::Vector3d approach = Eigen::Vector3d::Zero();  ///< unit, base: from pre-grasp to grasp
-  Branch branch;
+  ArmConfiguration branch;                             ///< named as in the message GraspTarget
   JointVector pregrasp_joints, grasp_joints, lift_joints;
   double free = 0;       ///< between pad and part on each side before closing [m]
   double needed = 0;     ///< of that for the pose's uncertainty [m]

@@ -9,29 +9,29 @@ namespace monocular_eye_hand {
 
 /// Defaults stand here and nowhere else.
 struct GraspSamplingOptions {
-  double step = 0.01;         ///< distance of neighbouring places on a face [m]
-  int directions = 12;        ///< approach directions around the line from pad to pad
-  double parallel = 0.02;     ///< largest angle between two faces that count as parallel [rad]
-  double min_contact = 0.2;   ///< least share of the pads that touches
-  double margin = 0.002;      ///< the gripper opens at least so much wider than the part on each side [m]
-  double approach = 0.03;     ///< the hand must be able to come from so far back [m]
-  double lever_weight = 0.5;  ///< a grasp as far from the centre of mass as half the diameter loses this
-                              ///< share of its quality
-  int per_direction = 4;      ///< best grasps kept of one line of closing and one approach
-  int most = 600;             ///< grasps kept in all
+  double step = 0.01;            ///< distance of neighbouring places on a face [m]
+  int directions = 12;           ///< approach directions around the line from pad to pad
+  double max_face_angle = 0.02;  ///< largest angle between two faces that count as parallel [rad]
+  double min_contact = 0.2;      ///< least share of the pads that touches
+  double margin = 0.002;         ///< the gripper opens at least so much wider than the part on each side [m]
+  double approach = 0.03;        ///< the hand must be able to come from so far back [m]
+  double lever_weight = 0.5;     ///< a grasp as far from the centre of mass as half the diameter loses this
+                                 ///< share of its quality
+  int per_direction = 4;         ///< best grasps kept of one line of closing and one approach
+  int max_grasps = 600;          ///< kept in all
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
   void visit(Visitor&& v) {
     v("step", step);
     v("directions", directions);
-    v("parallel", parallel);
+    v("max_face_angle", max_face_angle);
     v("min_contact", min_contact);
     v("margin", margin);
     v("approach", approach);
     v("lever_weight", lever_weight);
     v("per_direction", per_direction);
-    v("most", most);
+    v("max_grasps", max_grasps);
   }
 };
 

@@ -9,8 +9,9 @@ namespace monocular_eye_hand {
 bool insideSolid(const ObjectModel& model, const Eigen::Vector3d& p_in_object);
 
 /// Points of a regular grid that lie at least `depth` [m] below the surface of a closed model (object frame);
-/// where it is nowhere so thick, those in its middle. At most `most`, spread evenly; none of an open model.
-std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth, size_t most = 1000);
+/// where it is nowhere so thick, those in its middle. At most `max_points`, spread evenly; none of an open
+/// model.
+std::vector<Eigen::Vector3d> innerPoints(const ObjectModel& model, double depth, size_t max_points = 1000);
 
 /// Whether one of two closed models reaches into the other: one of the points `inner_a` of a lies inside b,
 /// or one of `inner_b` inside a. Points and models are in their own frames; `a_from_b` relates them.

@@ -31,7 +31,7 @@ struct ModelOptions {
 struct GivenGrasp {
   Rigid3 object_from_tcp;  ///< gripper_tcp: z out of the hand, y from pad to pad
   double width = 0;        ///< between the faces that the pads touch [m]
-  int turns = 1;           ///< the grasp serves so many times, evenly turned about `axis`
+  int rotation_steps = 1;  ///< the grasp serves so many times, evenly turned about `axis`
   SymmetryAxis axis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()};
 };
 

@@ -4,7 +4,7 @@
 
 #include "monocular_eye_hand/geometry/camera.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
-#include "monocular_eye_hand/simulation/cell.h"
+#include "monocular_eye_hand/simulation/cell/work_cell.h"
 #include "monocular_eye_hand/task/clear_frame.h"
 
 namespace monocular_eye_hand {

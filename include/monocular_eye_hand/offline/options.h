@@ -5,7 +5,7 @@
 #include "monocular_eye_hand/grasp/grasping_options.h"
 #include "monocular_eye_hand/recognition/object_estimate.h"
 #include "monocular_eye_hand/recognition/options.h"
-#include "monocular_eye_hand/simulation/cell_options.h"
+#include "monocular_eye_hand/simulation/cell/options.h"
 #include "monocular_eye_hand/task/options.h"
 #include "monocular_eye_hand/tracking/object_tracker.h"
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "monocular_eye_hand/arm/puma560.h"
-#include "monocular_eye_hand/simulation/cell_options.h"
+#include "monocular_eye_hand/simulation/cell/options.h"
 
 namespace monocular_eye_hand {
 

@@ -24,7 +24,7 @@ enum class CartesianOutcome {
   kFound,
   kUnreachable,  ///< out of reach or outside the joint limits
   kSingular,     ///< too near a singularity
-  kJump,         ///< the posture is lost or a joint jumps
+  kJump,         ///< the configuration is lost or a joint jumps
 };
 
 struct CartesianPath {
@@ -37,9 +37,9 @@ struct CartesianPath {
 /// Pose at share f of the straight line: translation linear, rotation about one axis.
 Rigid3 between(const Rigid3& from, const Rigid3& to, double f);
 
-/// Straight line of gripper_tcp from where `start` has it to `base_from_tcp`, in the posture of `start`.
-/// Steps are as short as the deviation of straight joint interpolation asks. Throws BadInput on joints or a
-/// pose that are not finite, joints outside the limits, or options out of range.
+/// Straight line of gripper_tcp from where `start` has it to `base_from_tcp`, in the configuration of
+/// `start`. Steps are as short as the deviation of straight joint interpolation asks. Throws BadInput on
+/// joints or a pose that are not finite, joints outside the limits, or options out of range.
 CartesianPath cartesianPath(const ToolArm& arm, const JointVector& start, const Rigid3& base_from_tcp,
                             const CartesianOptions& options = {});
 

@@ -22,8 +22,8 @@ struct CollisionPair {
 class CollisionWorld {
  public:
   /// Links that one joint connects, that are rigidly connected, or that touch in each of a seeded set of
-  /// postures are never tested against each other. Throws BadInput on an arm without links or shapes of no
-  /// size.
+  /// configurations are never tested against each other. Throws BadInput on an arm without links or shapes of
+  /// no size.
   explicit CollisionWorld(const ArmDescription& arm);
   ~CollisionWorld();
   CollisionWorld(const CollisionWorld& other);

@@ -26,11 +26,11 @@ struct PathOptions {
 
 /// How a straight line of gripper_tcp becomes joint vectors.
 struct CartesianOptions {
-  double deviation = 2e-4;       ///< of gripper_tcp from the straight line between two joint vectors [m]
-  double turn_deviation = 2e-3;  ///< of its orientation [rad]
-  double max_step = 0.03;        ///< between two joint vectors [m]
-  double max_turn = 0.15;        ///< between two joint vectors [rad]
-  double joint_jump = 0.35;      ///< a joint that turns further within one step has jumped [rad]
+  double deviation = 2e-4;           ///< of gripper_tcp from the straight line between two joint vectors [m]
+  double rotation_deviation = 2e-3;  ///< of its orientation [rad]
+  double max_step = 0.03;            ///< between two joint vectors [m]
+  double max_rotation = 0.15;        ///< between two joint vectors [rad]
+  double joint_jump = 0.35;          ///< a joint that turns further within one step has jumped [rad]
   double min_singularity =
       2e-2;  ///< least |sin q5| and, in metres, distance from shoulder and elbow singularity
 
@@ -38,9 +38,9 @@ struct CartesianOptions {
   template <class Visitor>
   void visit(Visitor&& v) {
     v("deviation", deviation);
-    v("turn_deviation", turn_deviation);
+    v("rotation_deviation", rotation_deviation);
     v("max_step", max_step);
-    v("max_turn", max_turn);
+    v("max_rotation", max_rotation);
     v("joint_jump", joint_jump);
     v("min_singularity", min_singularity);
   }

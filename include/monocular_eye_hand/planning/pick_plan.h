@@ -59,7 +59,7 @@ struct PickPlan {
   PickOutcome outcome = PickOutcome::kPlanned;
   std::string reason;               ///< what stands in the way, by name; empty when planned
   std::vector<PickMotion> motions;  ///< all six, each beginning where the last one ended
-  Branch branch;                    ///< posture at the grasp
+  ArmConfiguration configuration;   ///< configuration at the grasp
   int drop = -1;                    ///< PickRequest::drops
   bool planned() const { return outcome == PickOutcome::kPlanned; }
   /// Throws BadInput when the plan has none of this stage.

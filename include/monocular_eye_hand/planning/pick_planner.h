@@ -4,7 +4,7 @@
 
 namespace monocular_eye_hand {
 
-/// Plans to take the object and put it down: over all postures, those soonest reached first. The object
+/// Plans to take the object and put it down: over all configurations, those soonest reached first. The object
 /// stands in `world` and nothing is carried. Of what failed, the plan that came furthest gives outcome and
 /// reason. Throws BadInput on an unknown object or support, poses or joints that are not finite, joints
 /// outside the limits, widths the gripper does not have, no drop, or options out of range.

@@ -11,7 +11,7 @@ class DropPlaceCount {
     if (!go_on) next_ = 0;
     first_ = next_;
   }
-  /// The place of the drop zone for the task's so-many-th part.
+  /// The place of the drop zone for the task's n-th part, from 0.
   int of(int part) const { return first_ + part; }
   /// The next free one.
   int next() const { return next_; }

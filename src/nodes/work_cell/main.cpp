@@ -3,7 +3,7 @@
 #include "monocular_eye_hand/arm/load_arm_description.h"
 #include "monocular_eye_hand/io/file_path.h"
 #include "monocular_eye_hand/model/model_base.h"
-#include "monocular_eye_hand/simulation/cell_scene.h"
+#include "monocular_eye_hand/simulation/cell/scene.h"
 #include "nodes/common/run_node.h"
 #include "nodes/work_cell/node.h"
 

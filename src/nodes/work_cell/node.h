@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "monocular_eye_hand/parameters/work_cell.h"
-#include "monocular_eye_hand/simulation/cell.h"
-#include "monocular_eye_hand/simulation/cell_command.h"
-#include "monocular_eye_hand/simulation/cell_pace.h"
+#include "monocular_eye_hand/simulation/cell/command.h"
+#include "monocular_eye_hand/simulation/cell/pace.h"
+#include "monocular_eye_hand/simulation/cell/work_cell.h"
 #include "nodes/work_cell/outputs.h"
 
 namespace monocular_eye_hand {

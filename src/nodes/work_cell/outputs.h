@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "monocular_eye_hand/simulation/cell_camera.h"
+#include "monocular_eye_hand/simulation/cell/camera.h"
 
 namespace monocular_eye_hand {
 
