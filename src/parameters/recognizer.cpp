@@ -23,6 +23,7 @@ void RecognizerParameters::check() const {
 
   requirePositive("service_timeout", service_timeout);
   requirePositive("diagnostic_period", diagnostic_period);
+  requireShare("doubtful", doubtful);
   require(marker_triangles >= 0, "marker_triangles", marker_triangles, "0 or more");
   requirePositive("label_height", label_height);
   require(marker_lifetime >= 0, "marker_lifetime", marker_lifetime, "0 or more; 0: markers stay for ever");

@@ -315,6 +315,26 @@ class TestRecognizer(unittest.TestCase):
         self.assertIn("the support plane is not known", log)
         self.assertIn("no_such_frame", log)
 
+    def test_doubtful_candidates(self):
+        """What is rejected is published for who merges views, and is no answer."""
+        objects = os.path.join(rospkg.RosPack().get_path("monocular_eye_hand"), "config", "cube.yaml")
+        arguments = ["_objects:=" + objects, "_cache:=" + self.cache, "_continuous:=false", "_doubtful:=0.1",
+                     "_recognition/accept_probability:=1.0"]
+        arrays = node_process.Collector()
+        with node_process.node("recognizer", "doubting", arguments) as node:
+            rospy.wait_for_service("/doubting/recognize", node_process.START)
+            subscriber = rospy.Subscriber("/doubting/objects", RecognizedObjectArray, arrays)
+            reply = rospy.ServiceProxy("/doubting/recognize", Recognize)("")
+            doubtful = arrays.wait(lambda array: len(array.objects) > 0)
+            self.assertTrue(node.running())
+            subscriber.unregister()
+        self.assertEqual(reply.status, RecognizeResponse.NOT_FOUND, reply.text)
+        self.assertEqual(reply.objects, [])
+        self.assertIn("probability", doubtful.reason)
+        for candidate in doubtful.objects:
+            self.assertEqual((candidate.decision, candidate.instance), (RecognizedObject.REJECTED, -1))
+            self.assertGreaterEqual(candidate.probability, 0.1)
+
     def test_lenses_that_cannot_be_used(self):
         """One that folds over inside the image, one with terms that are not known, one that is no lens."""
         for model, coefficients, words in (

@@ -57,6 +57,7 @@ TEST(RecognizerParameters, AreChecked) {
   refused([](RecognizerParameters* p) { p->marker_triangles = -1; });
   refused([](RecognizerParameters* p) { p->label_height = 0; });
   refused([](RecognizerParameters* p) { p->marker_lifetime = -1; });
+  refused([](RecognizerParameters* p) { p->doubtful = 1.1; });
   refused([](RecognizerParameters* p) { p->support.tolerance = -0.001; });
   refused([](RecognizerParameters* p) { p->support.wait = -1; });
   refused([](RecognizerParameters* p) { p->image_transport.clear(); });

@@ -35,10 +35,13 @@ struct RecognizerParameters {
   std::string camera_frame;  ///< optical frame of the results; "": the image's header.frame_id
   std::string image_transport = "raw";  ///< transport of the image subscription
   double service_timeout = 5.0;         ///< longest wait of ~recognize for an image [s, wall clock]
-  int marker_triangles = 20000;         ///< meshes with more triangles are shown by their sharp edges
-  double label_height = 0.02;           ///< of the markers' texts [m]
-  double marker_lifetime = 5.0;         ///< markers go when no image came for so long [s]; 0: never
-  double diagnostic_period = 1.0;       ///< [s, wall clock]
+  /// Rejected candidates from this probability on are published, too, as REJECTED, for who merges views; 1:
+  /// none.
+  double doubtful = 1.0;
+  int marker_triangles = 20000;    ///< meshes with more triangles are shown by their sharp edges
+  double label_height = 0.02;      ///< of the markers' texts [m]
+  double marker_lifetime = 5.0;    ///< markers go when no image came for so long [s]; 0: never
+  double diagnostic_period = 1.0;  ///< [s, wall clock]
   SupportParameters support;
   ObjectTrackerOptions instances;
   RecognitionOptions recognition;
@@ -55,6 +58,7 @@ struct RecognizerParameters {
     v("camera_frame", camera_frame);
     v("image_transport", image_transport);
     v("service_timeout", service_timeout);
+    v("doubtful", doubtful);
     v("marker_triangles", marker_triangles);
     v("label_height", label_height);
     v("marker_lifetime", marker_lifetime);

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kViewDepth = 0.15;            // so far the pyramid of the camera's view is drawn [m]
 constexpr PictureSize kOverlaySize{640, 800};  // a panel of rviz shows it about so wide
+constexpr int kNoNumber = -1;                  // of what is not tracked
 constexpr double kImagesUnshown = 3.0;         // markers outlive so many images of the same work
 
 }  // namespace
@@ -22,6 +23,7 @@ constexpr double kImagesUnshown = 3.0;         // markers outlive so many images
 Outputs::Outputs(const ModelBase& models, const RecognizerParameters& parameters)
     : models_(models),
       frame_prefix_(parameters.frame_prefix),
+      doubtful_(parameters.doubtful),
       marker_lifetime_(parameters.marker_lifetime),
       marker_builder_(models, {parameters.marker_triangles, parameters.label_height}),
       private_node_("~"),
@@ -50,7 +52,11 @@ std::vector<RecognizedObject> Outputs::publish(const WorkedImage& image, const s
   const std::vector<ObjectEstimate>& objects = image.result.objects;
   RecognizedObjectArray array;
   array.header = image.header;
-  array.objects = messages(image, numbers);
+  const std::vector<RecognizedObject> found = messages(image, numbers);
+  array.objects = found;
+  for (const ObjectEstimate& candidate : image.result.rejected)
+    if (candidate.probability >= doubtful_)
+      array.objects.push_back(toMessage(image.header, candidate, kNoNumber, models_));
   if (objects.empty()) array.reason = image.result.reason;
   array.truncated = image.result.truncated;
   array.budget_spent = image.result.budget_spent;
@@ -62,7 +68,7 @@ std::vector<RecognizedObject> Outputs::publish(const WorkedImage& image, const s
   if (markers_.getNumSubscribers() > 0)
     markers_.publish(marker_builder_.build(image.header, objects, numbers, lifetime(), image.only));
   if (overlay_.getNumSubscribers() > 0) publishOverlay(image, numbers);
-  return array.objects;
+  return found;
 }
 
 void Outputs::showView(const std_msgs::Header& header, const Camera& camera) {

@@ -40,7 +40,7 @@ class Outputs {
   bool wanted() const;
   /// The image's objects as messages, unpublished. `numbers`: of each, among those of its name.
   std::vector<RecognizedObject> messages(const WorkedImage& image, const std::vector<int>& numbers) const;
-  /// Publishes everything and returns the objects as published.
+  /// Publishes everything and returns what was found, without the doubtful candidates that ~objects may tell.
   std::vector<RecognizedObject> publish(const WorkedImage& image, const std::vector<int>& numbers);
   /// Shows where the camera looks.
   void showView(const std_msgs::Header& header, const Camera& camera);
@@ -54,6 +54,7 @@ class Outputs {
 
   const ModelBase& models_;
   std::string frame_prefix_;
+  double doubtful_;  // rejected candidates are published from this probability on
   double marker_lifetime_;
   double last_seconds_ = 0;  // of the last image worked on
   MarkerBuilder marker_builder_;
