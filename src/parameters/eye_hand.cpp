@@ -29,7 +29,7 @@ void EyeHandParameters::check() const {
   requirePositive("max_joint_gap", max_joint_gap);
   requirePositive("max_joint_age", max_joint_age);
   requirePositive("max_tf_distance", max_tf_distance);
-  requirePositive("max_tf_turn", max_tf_turn);
+  requirePositive("max_tf_rotation", max_tf_rotation);
   require(max_waiting >= 1, "max_waiting", max_waiting, "1 or more");
 
   require(std::isfinite(table_height), "table_height", table_height, "finite");

@@ -73,7 +73,7 @@ TEST(EyeHandParameters, AreChecked) {
   refused("max_joint_gap", [](P* p) { p->max_joint_gap = 0; });
   refused("max_joint_age", [](P* p) { p->max_joint_age = 0; });
   refused("max_tf_distance", [](P* p) { p->max_tf_distance = 0; });
-  refused("max_tf_turn", [](P* p) { p->max_tf_turn = 0; });
+  refused("max_tf_rotation", [](P* p) { p->max_tf_rotation = 0; });
   refused("max_waiting = 0", [](P* p) { p->max_waiting = 0; });
   refused("table_height", [](P* p) { p->table_height = std::nan(""); });
   refused("marker_triangles = -1", [](P* p) { p->marker_triangles = -1; });

@@ -23,7 +23,7 @@ struct EyeHandParameters : GraspingOptions {
   double max_joint_gap = 0.1;  ///< a joint state farther from the view's stamp does not count [s]
   double max_joint_age = 1.0;  ///< an older joint state is not where the arm is now [s]
   double max_tf_distance = 0.005;  ///< between tool0 of tf and of the joint states [m] ...
-  double max_tf_turn = 0.01;       ///< ... and [rad]: beyond, one of the two is wrong
+  double max_tf_rotation = 0.01;   ///< ... and [rad]: beyond, one of the two is wrong
   int max_waiting = 10;            ///< views that wait for tf; when one more comes the oldest is refused
   double table_height = 0.3;       ///< z of the table's top in table_frame [m]
   std::string table_frame;         ///< level frame of the table in tf; "": base_frame
@@ -47,7 +47,7 @@ struct EyeHandParameters : GraspingOptions {
     v("max_joint_gap", max_joint_gap);
     v("max_joint_age", max_joint_age);
     v("max_tf_distance", max_tf_distance);
-    v("max_tf_turn", max_tf_turn);
+    v("max_tf_rotation", max_tf_rotation);
     v("max_waiting", max_waiting);
 
     v("table_height", table_height);

@@ -105,7 +105,7 @@ HandAtStamp HandInput::at(const ros::Time& stamp, const std::string& camera_fram
 std::string HandInput::mismatch(const Rigid3& by_joints, const Rigid3& by_tf) const {
   const Vector6d gap = difference(by_joints, by_tf);
   const double distance = gap.head<3>().norm(), angle = gap.tail<3>().norm();
-  if (distance <= parameters_.max_tf_distance && angle <= parameters_.max_tf_turn) return "";
+  if (distance <= parameters_.max_tf_distance && angle <= parameters_.max_tf_rotation) return "";
 
   return fmt::format(
       "tf puts {} {:.3g} mm and {:.3g} rad from where the joint states put it in {}: one of them is not this "
