@@ -29,7 +29,7 @@ struct ClearFrameOptions {
   int blocked_rounds = 2;  ///< rounds in which it cannot be grasped or reached before it is given up
   int pick_attempts = 3;   ///< lost grasps of one object before it is given up
   int candidates = 6;      ///< grasps handed to the planner per attempt
-  int max_rounds = 40;    ///< looks around the frame in all
+  int max_rounds = 40;     ///< looks around the frame in all
 
   void check() const;  ///< throws BadInput naming field, value and rule
   template <class Visitor>
