@@ -97,12 +97,20 @@ void ClearFrameTask::lookAround() {
 void ClearFrameTask::search() {
   TaskView view;
   view.overview = -1;
-  view.search = true;
   view.direction = ++direction_;
-  reportProgress(fmt::format("nothing known is left; search {} of {}", searches_ + 1, options_.searches));
+  const std::optional<Key> missed = missedObject();
+  if (missed) {
+    view.near = true;
+    view.object = entry(*missed).object;
+    reportProgress("a look from near for " + label(view.object) + ", which later views missed");
+  } else {
+    view.search = true;
+    reportProgress(fmt::format("nothing known is left; search {} of {}", searches_ + 1, options_.searches));
+  }
+
   TaskLook seen;
   if (!look(view, &seen)) return;
-  ++searches_;
+  ++(missed ? progress_.at(*missed).sought : searches_);
   searching_ = false;
   stage_ = TaskStage::kChoose;
 }
@@ -180,7 +188,7 @@ void ClearFrameTask::choose() {
   for (const Key& key : blocked)
     if (++progress_.at(key).blocked_rounds >= options_.blocked_rounds) giveUp(key, progress_.at(key).blocked);
   if (waiting().empty()) {
-    searching_ = searches_ < options_.searches;
+    searching_ = searches_ < options_.searches || missedObject();
     if (!searching_) return finishRound();
     stage_ = TaskStage::kLook;
     return;
@@ -357,7 +365,7 @@ void ClearFrameTask::carry() {
     searches_ = 0;
     for (auto& [other, progress] : progress_) {
       // What stood in its way, or before it, may do so no more.
-      progress.blocked_rounds = 0;
+      progress.blocked_rounds = progress.sought = 0;
       TaskObject& left = result_.objects[progress.index];
       if (left.outcome == ObjectOutcome::kLeft && left.picks < options_.pick_attempts) {
         left.outcome = ObjectOutcome::kWaiting;

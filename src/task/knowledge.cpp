@@ -55,6 +55,18 @@ bool ClearFrameTask::shownAfterAll(const Progress& progress, double stamp) const
          entry.object.outliers == 0 && entry.object.probability >= options_.confirm_probability;
 }
 
+/// One that a view showed surely and those after it did not, without any doing of the task: views miss
+/// things.
+std::optional<ClearFrameTask::Key> ClearFrameTask::missedObject() const {
+  for (const auto& [key, progress] : progress_) {
+    const TaskObject& entry = result_.objects[progress.index];
+    if (entry.outcome == ObjectOutcome::kGone && entry.picks == 0 && progress.sought < options_.confirm_attempts &&
+        entry.object.probability >= options_.confirm_probability && inFrame(entry.object))
+      return key;
+  }
+  return std::nullopt;
+}
+
 void ClearFrameTask::learnFrame() {
   // The one that was taken first, as long as it is known; a second one is not swapped for it.
   const MappedObject* found = nullptr;

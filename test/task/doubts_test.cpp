@@ -94,6 +94,33 @@ TEST(Doubts, WhatViewsTogetherHardlyBelieveIsLookedAtFromNear) {
   }
 }
 
+TEST(Doubts, WhatOneViewShowedSurelyAndLaterOnesMissIsLookedForFromNear) {
+  for (const double probability : {0.95, 0.6}) {
+    World world;
+    World::Thing& bridge = world.put(kBridge, 0, at(0.5, 0));
+    bridge.misses_left = 0;
+    bridge.object.probability = probability;
+    world.before_look = [&](const TaskView& view) {
+      world.thing(kBridge, 0).there = world.motions == 0 && (view.overview == 0 || view.near);
+    };
+    ClearFrameTask(&kModels, &world).run();
+    const auto first = [&](const char* what) {
+      return std::find(world.log.begin(), world.log.end(), what) - world.log.begin();
+    };
+    EXPECT_EQ(first("near bridge0") < first("search"), probability > 0.8);
+  }
+}
+
+TEST(Doubts, WhatWasTakenAwayIsLookedForInVain) {
+  World world;
+  world.put(kBridge, 0, at(0.5, 0)).misses_left = 0;
+  world.before_look = [&](const TaskView& view) { world.thing(kBridge, 0).there = view.overview == 0; };
+  const TaskResult result = ClearFrameTask(&kModels, &world).run();
+  EXPECT_EQ(result.outcome, TaskOutcome::kCleared) << result.reason;
+  EXPECT_EQ(object(result, kBridge, 0).outcome, ObjectOutcome::kGone);
+  EXPECT_EQ(std::count(world.log.begin(), world.log.end(), "near bridge0"), 2);
+}
+
 TEST(Doubts, WhatALaterLookShowsSurelyIsTriedAgain) {
   World world;
   World::Thing& bridge = world.put(kBridge, 0, at(0.5, 0));

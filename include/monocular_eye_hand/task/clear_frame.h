@@ -126,6 +126,7 @@ class ClearFrameTask {
   struct Progress {
     size_t index = 0;  // result_.objects
     int near_looks = 0, unconfirmed = 0;
+    int sought = 0;       // near looks for it since it is gone
     int reopened = 0;     // times that a look showed it surely after it was given up unconfirmed
     int unseen = 0;       // looks in a row that did not show it
     std::string blocked;  // why there is no grasp as things stand: other objects may be in the way
@@ -147,6 +148,7 @@ class ClearFrameTask {
   bool look(const TaskView& view, TaskLook* seen);
   void learn(const TaskLook& seen);
   bool shownAfterAll(const Progress& progress, double stamp) const;
+  std::optional<Key> missedObject() const;
   void learnFrame();
   bool inFrame(const MappedObject& object) const;
   const MappedObject* known(const Key& key) const;
