@@ -60,7 +60,8 @@ bool ClearFrameTask::shownAfterAll(const Progress& progress, double stamp) const
 std::optional<ClearFrameTask::Key> ClearFrameTask::missedObject() const {
   for (const auto& [key, progress] : progress_) {
     const TaskObject& entry = result_.objects[progress.index];
-    if (entry.outcome == ObjectOutcome::kGone && entry.picks == 0 && progress.sought < options_.confirm_attempts &&
+    if (entry.outcome == ObjectOutcome::kGone && entry.picks == 0 &&
+        progress.sought < options_.confirm_attempts &&
         entry.object.probability >= options_.confirm_probability && inFrame(entry.object))
       return key;
   }
