@@ -319,7 +319,7 @@ class TestRecognizer(unittest.TestCase):
         """What is rejected is published for who merges views, and is no answer."""
         objects = os.path.join(rospkg.RosPack().get_path("monocular_eye_hand"), "config", "cube.yaml")
         arguments = ["_objects:=" + objects, "_cache:=" + self.cache, "_continuous:=false", "_doubtful:=0.1",
-                     "_recognition/accept_probability:=1.0"]
+                     "_recognition/accept_probability:=0.99999"]
         arrays = node_process.Collector()
         with node_process.node("recognizer", "doubting", arguments) as node:
             rospy.wait_for_service("/doubting/recognize", node_process.START)
