@@ -91,19 +91,19 @@ def blind(folder):
 def main(build, *wanted):
     with tempfile.TemporaryDirectory() as folder:
         faults = [f"{check} does not see its planted fault" for check in blind(folder)]
-        todo = units(pathlib.Path(build).resolve())
-        if not {pathlib.Path("src/geometry"), pathlib.Path("src/tools/recognize.cpp")} <= set(todo):
+        chosen = units(pathlib.Path(build).resolve())
+        if not {pathlib.Path("src/geometry"), pathlib.Path("src/tools/recognize.cpp")} <= set(chosen):
             faults.append(f"{build} does not compile src/: is it a Ninja build?")
         if wanted:
-            todo = {pathlib.Path(unit): todo[pathlib.Path(unit)] for unit in wanted}
+            chosen = {pathlib.Path(unit): chosen[pathlib.Path(unit)] for unit in wanted}
 
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             runs = [pool.submit(tidy, "".join(f'#include "{source}"\n' for source in sources), options, folder, str(unit))
-                    for unit, (sources, options) in todo.items()]
+                    for unit, (sources, options) in chosen.items()]
             found = set().union(*(run.result() for run in runs))
 
     faults += [f"{os.path.relpath(file, ROOT)}:{line}: {what} [{check}]" for file, line, what, check in sorted(found)]
-    print("\n".join(faults) or f"nothing found in {len(todo)} units")
+    print("\n".join(faults) or f"nothing found in {len(chosen)} units")
     return 1 if faults else 0
 
 

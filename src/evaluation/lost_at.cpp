@@ -40,6 +40,7 @@ std::string toString(LostAt::Stage stage) {
     case LostAt::kFoundElsewhere:
       return "found elsewhere";
   }
+
   return "unknown";
 }
 

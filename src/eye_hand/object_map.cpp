@@ -20,15 +20,6 @@ namespace {
 
 std::string label(const MappedObject& object) { return fmt::format("{} {}", object.name, object.number); }
 
-// Of a probability by recognition, which is never sure.
-double logOdds(double probability) {
-  constexpr double kSure = 0.999;
-  const double p = std::clamp(probability, 1 - kSure, kSure);
-  return std::log(p / (1 - p));
-}
-
-double probabilityOf(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
-
 void checkView(const ObjectView& view, const ModelBase& models) {
   if (!std::isfinite(view.stamp)) throw BadInput("the view's stamp is not finite");
   view.camera.check();
@@ -129,47 +120,6 @@ ViewReport ObjectMap::add(const ObjectView& view) {
                                        models_->objects[size_t(track.suppressed_by->first)].model.name,
                                        track.suppressed_by->second);
   return report;
-}
-
-bool ObjectMap::doubtful(const Observation& seen) const {
-  return seen.probability < options_.min_probability;
-}
-
-double ObjectMap::probability(const Track& track) const {
-  const double best = track.merged.probability;
-  return best >= options_.min_probability ? best : std::max(best, probabilityOf(track.evidence));
-}
-
-double ObjectMap::evidenceOf(const std::vector<Observation>& agreeing) const {
-  double evidence = 0;
-  for (const Observation& seen : agreeing) evidence += logOdds(seen.probability);
-  return evidence + double(agreeing.size() - 1) * std::log(options_.agreement_odds);
-}
-
-ViewDecision ObjectMap::begin(const Observation& seen, double stamp) {
-  tracks_.push_back(newTrack(seen, stamp));
-  Track& track = tracks_.back();
-  track.object.number = next_doubtful_--;
-
-  ViewDecision decision;
-  decision.object = seen.object;
-  decision.outcome = ViewOutcome::kDoubtful;
-  decision.reason =
-      fmt::format("probability {:.2f} is below min_probability {:g}: kept until other views agree",
-                  seen.probability, options_.min_probability);
-  believe(&track, &decision);
-  if (track.believed) decision.reason = "no known " + track.object.name + " is there";
-  return decision;
-}
-
-void ObjectMap::believe(Track* track, ViewDecision* decision) {
-  if (track->believed || probability(*track) < options_.min_probability) return;
-  track->believed = true;
-  track->object.number = next_number_[size_t(track->object.object)]++;
-  decision->outcome = ViewOutcome::kNew;
-  decision->number = track->object.number;
-  decision->reason =
-      fmt::format("{} views together make it likely: {:.2f}", track->object.views, probability(*track));
 }
 
 void ObjectMap::addFloor(Matrix6d* covariance) const {
@@ -332,23 +282,6 @@ ViewDecision ObjectMap::handleOutlier(Track* track, const Observation& seen, dou
   return decision;
 }
 
-// Both say that something of this name is there, and not how it lies.
-ViewDecision ObjectMap::addDoubt(Track* track, const Observation& seen) const {
-  ViewDecision decision;
-  decision.object = seen.object;
-  decision.number = track->believed ? track->object.number : -1;
-  decision.outcome = ViewOutcome::kDoubtful;
-  decision.reason = "it lies otherwise than in the doubtful view before";
-  if (oneOf(track->base_from_cameras, seen.base_from_camera)) return decision;
-
-  track->evidence += logOdds(seen.probability) + std::log(options_.agreement_odds);
-  track->base_from_cameras.push_back(seen.base_from_camera);
-  if (seen.probability <= track->merged.probability) return decision;
-  track->merged = seen;
-  track->evidence = std::max(track->evidence, logOdds(seen.probability));  // misses were of the other pose
-  return decision;
-}
-
 ObjectMap::Track ObjectMap::newTrack(const Observation& seen, double stamp) const {
   Track track;
   const ObjectModel& shape = model(seen.object);
@@ -379,7 +312,7 @@ void ObjectMap::merge(Track* track, const Observation& seen) const {
   merged.hand_eye = rest * merged.hand_eye + gain * seen.hand_eye;
   merged.joints = rest * merged.joints + gain * seen.joints;
   track->base_from_cameras.push_back(seen.base_from_camera);
-  track->evidence += logOdds(seen.probability) + std::log(options_.agreement_odds);
+  track->evidence += support(seen);
   ++track->object.views;
 }
 

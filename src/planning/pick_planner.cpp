@@ -158,6 +158,7 @@ std::string toString(PickOutcome outcome) {
     case PickOutcome::kNoPathToDrop:
       return "no path to the drop";
   }
+
   return "unknown";
 }
 

@@ -110,7 +110,10 @@ void ClearFrameTask::search() {
 
   TaskLook seen;
   if (!look(view, &seen)) return;
-  ++(missed ? progress_.at(*missed).sought : searches_);
+  if (missed)
+    ++progress_.at(*missed).sought;
+  else
+    ++searches_;
   searching_ = false;
   stage_ = TaskStage::kChoose;
 }
@@ -270,12 +273,15 @@ void ClearFrameTask::doubted() {
   stage_ = TaskStage::kChoose;
 }
 
+bool ClearFrameTask::confirmed(const MappedObject& object) const {
+  return object.views >= options_.confirm_views && object.probability >= options_.confirm_probability;
+}
+
 // Several views agree on it, the last look among them, and no grasp of it was lost.
 bool ClearFrameTask::sure(const Key& key) {
   const MappedObject* object = known(key);
-  return object && object->views >= options_.confirm_views &&
-         object->probability >= options_.confirm_probability && object->outliers == 0 &&
-         object->last_stamp >= last_look_ && inFrame(*object) && entry(key).picks == 0;
+  return object && confirmed(*object) && object->outliers == 0 && object->last_stamp >= last_look_ &&
+         inFrame(*object) && entry(key).picks == 0;
 }
 
 GraspPlan ClearFrameTask::prepareGrasps(const MappedObject& object) {
@@ -413,9 +419,7 @@ void ClearFrameTask::startRound() {
 bool ClearFrameTask::inDoubt(const TaskObject& object) const {
   if (object.outcome != ObjectOutcome::kLeft && object.outcome != ObjectOutcome::kWaiting) return false;
   const Progress& progress = progress_.at({object.object.object, object.object.number});
-  const bool confirmed = object.object.views >= options_.confirm_views &&
-                         object.object.probability >= options_.confirm_probability;
-  return object.picks == 0 && !confirmed && progress.unseen >= options_.doubtful_looks;
+  return object.picks == 0 && !confirmed(object.object) && progress.unseen >= options_.doubtful_looks;
 }
 
 void ClearFrameTask::settleDoubts() {

@@ -86,13 +86,14 @@ class ObjectMap {
   ViewDecision update(Track* track, const Observation& observation, double chi_square, double stamp) const;
   ViewDecision handleOutlier(Track* track, const Observation& observation, double chi_square,
                              double stamp) const;
-  ViewDecision addDoubt(Track* track, const Observation& observation) const;
   Track newTrack(const Observation& observation, double stamp) const;
   bool doubtful(const Observation& observation) const;
   double probability(const Track& track) const;
+  double support(const Observation& observation) const;               // log-odds
   double evidenceOf(const std::vector<Observation>& agreeing) const;  // log-odds
   ViewDecision begin(const Observation& observation, double stamp);   // a track of its own
   void believe(Track* track, ViewDecision* decision);  // gives it a number once it is likely enough
+  ViewDecision addDoubt(Track* track, const Observation& observation) const;
   void merge(Track* track, const Observation& observation) const;
   void publish(Track* track) const;
   void countMisses(const ObjectView& view, const std::vector<char>& updated, ViewReport* report);
@@ -112,7 +113,7 @@ class ObjectMap {
   ObjectMapOptions options_;
   std::vector<Track> tracks_;
   std::vector<int> next_number_;                       // by ModelBase::objects
-  int next_doubtful_ = -2;                             // stands for the number of what has none yet
+  int next_doubtful_ = -2;                             // what is not believed: told apart by negative numbers
   std::map<int, std::vector<Eigen::Vector3d>> cores_;  // points deep inside a model, by ModelBase::objects
   Matrix6d hand_eye_covariance_ = Matrix6d::Zero();
   double last_stamp_ = 0;

@@ -9,7 +9,8 @@ struct ObjectMapOptions {
   HandEyeErrorOptions hand_eye;       ///< used when the view brings no covariance of its own
   double min_probability = 0.5;       ///< what is less likely, by all its views together, is not published
   double doubtful_probability = 0.1;  ///< what recognition trusts less in a view is left out
-  double agreement_odds = 4;  ///< so many times as likely as not a thing is for each further view that agrees
+  double agreement_odds =
+      4;  ///< each further view that agrees multiplies the odds by this, each miss divides
   /// Sigma of what CAD and part differ by, each axis: added to every view's own part, and once more to the
   /// merged pose, where no number of views takes it away [m].
   double floor_position = 1e-4;

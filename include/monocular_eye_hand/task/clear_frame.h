@@ -138,6 +138,7 @@ class ClearFrameTask {
   void choose();
   void confirm();
   void doubted();
+  bool confirmed(const MappedObject& object) const;  // by views that agree
   bool sure(const Key& key);
   GraspPlan prepareGrasps(const MappedObject& object);  // fills candidates_
   void pick();

@@ -99,6 +99,7 @@ ClutterPiece simplePiece(Generator* random, double scale) {
 
 ClutterPiece workshopPiece(Generator* random, double scale) {
   const double s = scale * random->uniform(0.015, 0.05);
+
   switch (random->integer(0, 9)) {
     case 0:
       return pieceOf("tray", trayMesh({s * random->uniform(1.5, 3), s * random->uniform(1.5, 3),
