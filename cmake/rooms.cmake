@@ -3,10 +3,11 @@
 #   room(<name> SOURCES <file>... [LINK <target>...])       library monocular_eye_hand_<name>, sources in src/<name>/
 #   tool(<name> SOURCES <file>... [LINK <target>...])       program <name>, target monocular_eye_hand_tool_<name>
 #   helper(<name> SOURCES <file>... [LINK <target>...])     program that a room starts, in a folder beside its library
-#   room_test(<room> <name> SOURCES <file>... [LINK ...])   gtest in test/<room>/, built by the target `tests`, run by ctest;
-#                                                         what tests of several rooms use is "support/x.h"
-# The sources of a room are compiled in batches of eight: their common templates are made once, which takes half the
-# time. Who works on a room compiles less after each change with -DMONOCULAR_EYE_HAND_UNITY_BUILD=OFF.
+#   room_test(<room> SOURCES <file>... [LINK ...])        gtest of test/<room>/, one program for all its files, built by the
+#                                                         target `tests`, run by ctest; "support/x.h" is of several rooms
+#   room_test(<room> <name> SOURCES ...)                  another program beside it, where one has to be for itself
+# The sources of a room and of its tests are compiled in batches of eight: their common templates are made once, which
+# takes half the time. Who works on a room compiles less after each change with -DMONOCULAR_EYE_HAND_UNITY_BUILD=OFF.
 include(CMakeParseArguments)
 option(MONOCULAR_EYE_HAND_UNITY_BUILD "Compile the sources of a room in batches" ON)
 
@@ -28,6 +29,8 @@ function(room name)
   target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE fmt::fmt)  # no public header shows fmt
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
+  # A room runs its own code of the inline functions that it uses, not that of a program compiled with other options.
+  target_link_options(${target} PRIVATE -Wl,-Bsymbolic-functions)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} DEFINE_SYMBOL "")
   in_batches(${target})
   precompile(${target} library)
@@ -66,17 +69,24 @@ if(MONOCULAR_EYE_HAND_TESTS)
   endif()
 endif()
 
-function(room_test room name)
-  if(NOT MONOCULAR_EYE_HAND_TESTS)
-    return()
-  endif()
+# Replaces the operators new and delete of a test program by counting ones; not in one batch with code that calls them.
+set(allocation_count ${PROJECT_SOURCE_DIR}/test/support/allocation_count.cpp)
+
+function(room_test room)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-  set(target test_${room}_${name})
+  string(JOIN _ name ${room} ${ARG_UNPARSED_ARGUMENTS})
+  set(target test_${name})
   add_executable(${target} EXCLUDE_FROM_ALL ${ARG_SOURCES})
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/test)
-  target_link_libraries(${target} monocular_eye_hand_${room} ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
-  target_compile_options(${target} PRIVATE -Wall -Wextra)
+  target_include_directories(${target} PRIVATE
+    ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/test ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(${target} ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
+  if(TARGET monocular_eye_hand_${room})
+    target_link_libraries(${target} monocular_eye_hand_${room})
+  endif()
+  target_compile_options(${target} PRIVATE -Wall -Wextra ${quick_to_compile})
   target_compile_definitions(${target} PRIVATE MONOCULAR_EYE_HAND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  in_batches(${target})
+  set_source_files_properties(${allocation_count} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if("${room}" STREQUAL "nodes")
     precompile(${target} node_test)
   else()
@@ -92,8 +102,8 @@ function(room_test room name)
       COMMAND "${binary} --gtest_output=xml:${MONOCULAR_EYE_HAND_TEST_RESULTS}/${results}")
     set(test _ctest_${PROJECT_NAME}_gtest_${target})
   else()
-    set(test ${room}.${name})
+    set(test ${name})
     add_test(NAME ${test} COMMAND ${binary} --gtest_output=xml:${MONOCULAR_EYE_HAND_TEST_RESULTS}/${results})
   endif()
-  set_tests_properties(${test} PROPERTIES TIMEOUT 600 LABELS ${room})
+  set_tests_properties(${test} PROPERTIES TIMEOUT 1200 LABELS ${room})
 endfunction()

@@ -17,11 +17,6 @@ namespace {
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
-const ArmDescription& description() {
-  static const ArmDescription arm = loadArmDescription(urdfPath());
-  return arm;
-}
-
 TEST(ArmDescription, ChainIsTheKinematics) {
   const Puma560 arm;
   Random random(1);

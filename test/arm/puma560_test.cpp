@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "allocation_count.h"
 #include "monocular_eye_hand/options/options.h"
 #include "random_arm.h"
+#include "support/allocation_count.h"
 #include "support/refusal.h"
 
 namespace monocular_eye_hand {

@@ -16,11 +16,6 @@ constexpr double kGrid = 0.008;      // between samples on a triangle [m]
 constexpr double kOutside = 0.0005;  // visual may stand out of the collision shapes by this [m]
 constexpr double kSlack = 0.005;     // collision may stand out of the visual shapes by this [m]
 
-const ArmDescription& description() {
-  static const ArmDescription arm = loadArmDescription(urdfPath());
-  return arm;
-}
-
 /// Points on the surface, in the link's frame.
 std::vector<Vector3d> surfaceOf(const ArmShape& shape) {
   const Mesh mesh = meshOf(shape);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "monocular_eye_hand/arm/arm_description.h"
+#include "monocular_eye_hand/arm/load_arm_description.h"
 
 namespace monocular_eye_hand {
 
@@ -65,6 +66,11 @@ inline Mesh prismMesh(const Eigen::Vector3d& size, bool round) {
 inline Mesh meshOf(const ArmShape& shape) {
   if (shape.kind == ArmShape::Kind::kMesh) return *shape.mesh;
   return prismMesh(shape.size, shape.kind == ArmShape::Kind::kCylinder);
+}
+
+inline const ArmDescription& description() {
+  static const ArmDescription arm = loadArmDescription(urdfPath());
+  return arm;
 }
 
 }  // namespace monocular_eye_hand

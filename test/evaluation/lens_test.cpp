@@ -11,9 +11,9 @@
 namespace monocular_eye_hand {
 namespace {
 
-Camera pinhole() { return {320, 240, 350, 351, 160.2, 118.7, DistortionModel::kNone, {}}; }
+Camera withoutLens() { return {320, 240, 350, 351, 160.2, 118.7, DistortionModel::kNone, {}}; }
 
-Camera lens() { return withWebcamLens(pinhole()); }
+Camera lens() { return withWebcamLens(withoutLens()); }
 
 // A smooth blob; its centre is found again by moments.
 cv::Mat blob(const Camera& camera, const Eigen::Vector2d& centre) {
@@ -36,7 +36,7 @@ TEST(LensWarp, APointLandsWhereTheLensPutsIt) {
   LensWarp warp;
   for (const Eigen::Vector2d& uv :
        {Eigen::Vector2d(60, 50), Eigen::Vector2d(250, 180), Eigen::Vector2d(160, 120)}) {
-    const cv::Mat raw = warp.apply(blob(pinhole(), uv), lens());
+    const cv::Mat raw = warp.apply(blob(withoutLens(), uv), lens());
     EXPECT_LT((centroid(raw) - lens().distort(uv)).norm(), 0.15) << uv.transpose();
   }
   // ... which is a long way from where it was.
@@ -45,15 +45,15 @@ TEST(LensWarp, APointLandsWhereTheLensPutsIt) {
 
 TEST(LensWarp, NoDistortionChangesNothing) {
   LensWarp warp;
-  const cv::Mat ideal = blob(pinhole(), {100, 100});
-  EXPECT_EQ(cv::norm(warp.apply(ideal, pinhole()), ideal, cv::NORM_INF), 0);
+  const cv::Mat ideal = blob(withoutLens(), {100, 100});
+  EXPECT_EQ(cv::norm(warp.apply(ideal, withoutLens()), ideal, cv::NORM_INF), 0);
 }
 
 TEST(LensWarp, AnotherLensGetsAnotherMap) {
   LensWarp warp;
-  const cv::Mat ideal = blob(pinhole(), {60, 50});
+  const cv::Mat ideal = blob(withoutLens(), {60, 50});
   const cv::Mat first = warp.apply(ideal, lens());
-  warp.apply(ideal, pinhole());
+  warp.apply(ideal, withoutLens());
   EXPECT_EQ(cv::norm(warp.apply(ideal, lens()), first, cv::NORM_INF), 0);
 }
 
@@ -65,13 +65,13 @@ TEST(LensWarp, TheSizesMustAgree) {
 TEST(Resized, ImageAndCameraAgree) {
   const Eigen::Vector3d p(0.05, -0.1, 1);
   for (double factor : {2.0, 0.5, 1.37}) {
-    const CameraImage out = resized({blob(pinhole(), pinhole().project(p)), pinhole()}, factor);
+    const CameraImage out = resized({blob(withoutLens(), withoutLens().project(p)), withoutLens()}, factor);
     EXPECT_EQ(out.grey.cols, out.camera.width);
     EXPECT_EQ(out.grey.rows, out.camera.height);
     EXPECT_LT((centroid(out.grey) - out.camera.project(p)).norm(), 0.15 * std::max(1.0, factor)) << factor;
   }
-  EXPECT_THROW(resized({blob(pinhole(), {1, 1}), pinhole()}, 0), BadInput);
-  EXPECT_THROW(resized({blob(pinhole(), {1, 1}), pinhole()}, 1e-4), BadInput);
+  EXPECT_THROW(resized({blob(withoutLens(), {1, 1}), withoutLens()}, 0), BadInput);
+  EXPECT_THROW(resized({blob(withoutLens(), {1, 1}), withoutLens()}, 1e-4), BadInput);
 }
 
 }  // namespace

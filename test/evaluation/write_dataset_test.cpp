@@ -46,7 +46,7 @@ Mesh wheel() {
   return mesh;
 }
 
-Camera pinhole() { return {64, 48, 70.5, 70.5, 31.25, 23, DistortionModel::kNone, {}}; }
+Camera smallCamera() { return {64, 48, 70.5, 70.5, 31.25, 23, DistortionModel::kNone, {}}; }
 
 WrittenTruth truth(int object, double visible) {
   const GroundTruth gt{object, {expSO3({0.3, -2, 0.7}), {0.01, -0.02, 0.6}}, visible};
@@ -103,10 +103,10 @@ TEST(WriteDataset, SymmetriesLeaveEveryErrorAtZero) {
 
 TEST(WriteDataset, SceneReadsBack) {
   TempFolder folder;
-  writeBopCamera(folder.path(), pinhole());
+  writeBopCamera(folder.path(), smallCamera());
   BopSceneWriter writer(folder.path(), "train", 4);
-  writer.add({0, pinhole(), {truth(7, 0.75), truth(7, 0.05), truth(12, 1)}}, grey(10));
-  writer.add({3, pinhole(), {}}, grey(20));
+  writer.add({0, smallCamera(), {truth(7, 0.75), truth(7, 0.05), truth(12, 1)}}, grey(10));
+  writer.add({3, smallCamera(), {}}, grey(20));
   writer.finish();
 
   const BopSplit split = loadBopSplit(folder.path(), "train");
@@ -129,10 +129,10 @@ TEST(WriteDataset, SceneReadsBack) {
 TEST(WriteDataset, WhereTheCameraStandsReadsBackAndMayBeLeftOut) {
   const Rigid3 camera_from_world{expSO3({0.3, -0.2, 0.1}), {0.1, -0.2, 0.75}};
   TempFolder folder;
-  writeBopCamera(folder.path(), pinhole());
+  writeBopCamera(folder.path(), smallCamera());
   BopSceneWriter writer(folder.path(), "train", 1);
-  writer.add({0, pinhole(), {}, camera_from_world}, grey(10));
-  writer.add({1, pinhole(), {}}, grey(10));
+  writer.add({0, smallCamera(), {}, camera_from_world}, grey(10));
+  writer.add({1, smallCamera(), {}}, grey(10));
   writer.finish();
 
   const BopSplit split = loadBopSplit(folder.path(), "train");
@@ -145,10 +145,10 @@ TEST(WriteDataset, WhereTheCameraStandsReadsBackAndMayBeLeftOut) {
 
 TEST(WriteDataset, TargetsOfAllScenesAreThoseThatAreVisible) {
   TempFolder folder;
-  writeBopCamera(folder.path(), pinhole());
+  writeBopCamera(folder.path(), smallCamera());
   for (const int scene : {2, 1, 2}) {  // a scene that is written again takes its old targets' place
     BopSceneWriter writer(folder.path(), "train", scene);
-    writer.add({0, pinhole(), {truth(7, 0.75), truth(7, 0.05), truth(12, 1), truth(12, 0.1)}}, grey(10));
+    writer.add({0, smallCamera(), {truth(7, 0.75), truth(7, 0.05), truth(12, 1), truth(12, 0.1)}}, grey(10));
     writer.finish();
   }
   const auto written = loadBopTargets(folder.path("train_targets_bop19.json"));
@@ -172,12 +172,12 @@ TEST(WriteDataset, WhatIsThereStays) {
                 writeBopModels(folder.path(), {{1, buildModel("brick", brick({0.1, 0.06, 0.03}))}});
               }),
               HasSubstr("obj_000001.ply: holds another model"));
-  Camera wide = pinhole();
+  Camera wide = smallCamera();
   wide.width = 128;
-  writeBopCamera(folder.path(), pinhole());
+  writeBopCamera(folder.path(), smallCamera());
   writeBopCamera(folder.path(), wide);
   BopSceneWriter writer(folder.path(), "train", 1);
-  writer.add({0, pinhole(), {}}, grey(1));
+  writer.add({0, smallCamera(), {}}, grey(1));
   writer.finish();
   EXPECT_EQ(loadBopSplit(folder.path(), "train").width, 64);
 }
@@ -185,15 +185,15 @@ TEST(WriteDataset, WhatIsThereStays) {
 TEST(WriteDataset, WhatTheFormatCannotSayIsRefused) {
   TempFolder folder;
   BopSceneWriter writer(folder.path(), "train", 1);
-  Camera camera = pinhole();
+  Camera camera = smallCamera();
   camera.model = DistortionModel::kPlumbBob;
   camera.d = {-0.2, 0, 0, 0, 0};
   EXPECT_THROW(writer.add({0, camera, {}}, grey(1)), BadInput);
-  EXPECT_THROW(writer.add({0, pinhole(), {}}, cv::Mat(48, 60, CV_8UC1)), BadInput);
+  EXPECT_THROW(writer.add({0, smallCamera(), {}}, cv::Mat(48, 60, CV_8UC1)), BadInput);
   const BopPart part{1, buildModel("brick", brick({0.1, 0.06, 0.02}))};
   EXPECT_THROW(writeBopModels(folder.path(), {part, part}), BadInput);
   folder.write("file", "");
-  EXPECT_THROW(writeBopCamera(folder.path("file"), pinhole()), BadInput);
+  EXPECT_THROW(writeBopCamera(folder.path("file"), smallCamera()), BadInput);
 }
 
 }  // namespace

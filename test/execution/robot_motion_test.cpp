@@ -5,26 +5,13 @@
 
 #include "scripted_robot.h"
 #include "support/refusal.h"
+#include "turn.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-/// Joint 1 from 0 to 1 rad in 2 s: half of it speeding up, half slowing down.
-Trajectory turn() {
-  Trajectory trajectory;
-  trajectory.points.resize(3);
-  trajectory.points[0].acceleration[0] = 1;
-  trajectory.points[1].time_s = 1;
-  trajectory.points[1].position[0] = 0.5;
-  trajectory.points[1].velocity[0] = 1;
-  trajectory.points[1].acceleration[0] = -1;
-  trajectory.points[2].time_s = 2;
-  trajectory.points[2].position[0] = 1;
-  return trajectory;
-}
 
 class RobotMotionTest : public testing::Test {
  protected:

@@ -3,30 +3,12 @@
 #include <cmath>
 
 #include "monocular_eye_hand/execution/trajectory_monitor.h"
+#include "turn.h"
 
 namespace monocular_eye_hand {
 namespace {
 
 using State = TrajectoryMonitor::State;
-
-/// Joint 1 from 0 to 1 rad in 2 s: half of it speeding up, half slowing down.
-Trajectory turn() {
-  Trajectory trajectory;
-  TrajectoryState state;
-  state.acceleration[0] = 1;
-  trajectory.points.push_back(state);
-  state.time_s = 1;
-  state.position[0] = 0.5;
-  state.velocity[0] = 1;
-  state.acceleration[0] = -1;
-  trajectory.points.push_back(state);
-  state.time_s = 2;
-  state.position[0] = 1;
-  state.velocity[0] = 0;
-  state.acceleration[0] = 0;
-  trajectory.points.push_back(state);
-  return trajectory;
-}
 
 State drive(TrajectoryMonitor* monitor, double late, double until, double offset = 0) {
   State state = State::kMoving;

@@ -33,4 +33,19 @@ inline SeenObject seenCube(const Rigid3& base_from_camera, const Eigen::Vector3d
   return seen;
 }
 
+/// A camera above the table sees a cube whose foot stands at this height [m].
+inline ObjectView cubeView(double stamp, double height) {
+  ObjectView view;
+  view.stamp = stamp;
+  view.camera.width = 640;
+  view.camera.height = 480;
+  view.camera.fx = view.camera.fy = 600;
+  view.camera.cx = 319.5;
+  view.camera.cy = 239.5;
+  view.hand.base_from_tool0 = lookingDown(0.5, 0, 0.8);
+  view.known.table_height = 0.3;
+  view.objects.push_back(seenCube(view.hand.base_from_tool0, {0.5, 0, height}));
+  return view;
+}
+
 }  // namespace monocular_eye_hand

@@ -14,12 +14,12 @@ namespace {
 
 using namespace map_world;
 
-const Eigen::Vector3d kTarget(0.45, 0, 0);
+const Eigen::Vector3d kMiddle(0.45, 0, 0);
 
 std::vector<Eigen::Vector3d> eyesAround(int count, double radius = 0.25, double height = 0.4) {
   std::vector<Eigen::Vector3d> eyes;
   for (int k = 0; k < count; ++k)
-    eyes.push_back(kTarget + Eigen::Vector3d(radius * std::cos(0.4 + k), radius * std::sin(0.4 + k), height));
+    eyes.push_back(kMiddle + Eigen::Vector3d(radius * std::cos(0.4 + k), radius * std::sin(0.4 + k), height));
   return eyes;
 }
 
@@ -31,7 +31,7 @@ TEST(Fusion, ViewsShrinkTheImagePartOnly) {
   // One camera direction, places apart: the hand-eye's error is the same in every view.
   for (int k = 0; k < 25; ++k) {
     const Eigen::Vector3d shift(0.012 * k - 0.15, 0, 0);
-    map.add(view(k + 1, kTarget + shift + Eigen::Vector3d(0, 0, 0.5), kTarget + shift, {{kBridge, truth}}));
+    map.add(view(k + 1, kMiddle + shift + Eigen::Vector3d(0, 0, 0.5), kMiddle + shift, {{kBridge, truth}}));
     const MappedObject o = map.objects().at(0);
     if (k == 0) {
       first_image = o.image_covariance(0, 0);
@@ -117,7 +117,7 @@ TEST(Fusion, SymmetricPosesAreOne) {
   for (const Eigen::Vector3d& eye : eyesAround(6)) {
     const Rigid3 equal =
         truth * bridge.symmetries.discrete[size_t(stamp) % bridge.symmetries.discrete.size()];
-    map.add(view(++stamp, eye, kTarget, {{kBridge, equal}}));
+    map.add(view(++stamp, eye, kMiddle, {{kBridge, equal}}));
   }
   ASSERT_EQ(map.objects().size(), 1u);
   EXPECT_EQ(map.objects()[0].views, 6);
@@ -134,7 +134,7 @@ TEST(Fusion, AFreeAxisIsNotAveraged) {
   double stamp = 0;
   for (const Eigen::Vector3d& eye : eyesAround(6)) {
     ObjectView v =
-        view(stamp + 1, eye, kTarget, {{kFlange, truth * rotationAbout(*flange.symmetries.axis, stamp)}});
+        view(stamp + 1, eye, kMiddle, {{kFlange, truth * rotationAbout(*flange.symmetries.axis, stamp)}});
     SeenObject& seen = v.objects[0];
     seen.covariance =
         withFreeAxisVariance(flange, seen.camera_from_object,

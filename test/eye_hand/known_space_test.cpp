@@ -14,9 +14,9 @@ using namespace map_world;
 using testing::HasSubstr;
 
 constexpr double kTable = 0.3;
-const Eigen::Vector3d kTarget(0.45, 0, kTable);
-const Eigen::Vector3d kLeft = kTarget + Eigen::Vector3d(0, 0.2, 0.5),
-                      kRight = kTarget + Eigen::Vector3d(0, -0.2, 0.5);
+const Eigen::Vector3d kOnTable(0.45, 0, kTable);
+const Eigen::Vector3d kLeftEye = kOnTable + Eigen::Vector3d(0, 0.2, 0.5),
+                      kRightEye = kOnTable + Eigen::Vector3d(0, -0.2, 0.5);
 
 Rigid3 standing(double x, double y, double z) {
   Rigid3 pose = upright(x, y);
@@ -26,7 +26,7 @@ Rigid3 standing(double x, double y, double z) {
 
 ObjectView above(double stamp, const Eigen::Vector3d& eye,
                  const std::vector<std::pair<int, Rigid3>>& objects) {
-  ObjectView seen = view(stamp, eye, kTarget, objects);
+  ObjectView seen = view(stamp, eye, kOnTable, objects);
   seen.known.table_height = kTable;
   return seen;
 }
@@ -98,7 +98,7 @@ TEST_F(KnownSpaceTest, ASmallBoxInsideAPartIsFound) {
 
 TEST(ObjectMapKnowsTheCell, WhatReachesBelowTheTableIsRefused) {
   ObjectMap map(&models());
-  const ViewReport report = map.add(above(1, kLeft,
+  const ViewReport report = map.add(above(1, kLeftEye,
                                           {{kBridge, standing(0.40, 0.06, kTable - 0.016)},
                                            {kBracket, standing(0.45, 0.0, kTable - 0.040)},
                                            {kBridge, standing(0.50, -0.06, kTable)}}));
@@ -114,20 +114,20 @@ TEST(ObjectMapKnowsTheCell, WhatReachesBelowTheTableIsRefused) {
 
 TEST(ObjectMapKnowsTheCell, WhatIsLocatedBadlyOnceIsNotMissed) {
   ObjectMap map(&models());
-  map.add(above(1, kLeft, {{kBridge, standing(0.40, 0.06, kTable)}}));
-  const ViewReport bad = map.add(above(2, kRight, {{kBridge, standing(0.40, 0.06, kTable - 0.016)}}));
+  map.add(above(1, kLeftEye, {{kBridge, standing(0.40, 0.06, kTable)}}));
+  const ViewReport bad = map.add(above(2, kRightEye, {{kBridge, standing(0.40, 0.06, kTable - 0.016)}}));
   EXPECT_TRUE(bad.decisions[0].impossible);
   ASSERT_EQ(map.objects().size(), 1u);
   EXPECT_EQ(map.objects()[0].misses, 0);
   EXPECT_EQ(map.objects()[0].views, 1);
-  map.add(above(3, kLeft, {}));
+  map.add(above(3, kLeftEye, {}));
   EXPECT_EQ(map.objects()[0].misses, 1);
 }
 
 TEST(ObjectMapKnowsTheCell, APhantomOfAnotherNameIsNoSighting) {
   ObjectMap map(&models());
-  map.add(above(1, kLeft, {{kBridge, standing(0.40, 0.06, kTable)}}));
-  map.add(above(2, kRight, {{kBracket, standing(0.40, 0.06, kTable - 0.03)}}));
+  map.add(above(1, kLeftEye, {{kBridge, standing(0.40, 0.06, kTable)}}));
+  map.add(above(2, kRightEye, {{kBracket, standing(0.40, 0.06, kTable - 0.03)}}));
   EXPECT_EQ(map.objects()[0].misses, 1);
 }
 
@@ -135,7 +135,7 @@ TEST(ObjectMapKnowsTheCell, TolerancesAreOptions) {
   ObjectMapOptions options;
   options.known_depth = 0.05;
   ObjectMap map(&models(), options);
-  map.add(above(1, kLeft, {{kBracket, standing(0.45, 0.0, kTable - 0.040)}}));
+  map.add(above(1, kLeftEye, {{kBracket, standing(0.45, 0.0, kTable - 0.040)}}));
   EXPECT_EQ(map.objects().size(), 1u);
   options.known_depth = -1;
   EXPECT_THROW(ObjectMap(&models(), options), BadInput);

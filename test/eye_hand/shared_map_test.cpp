@@ -8,21 +8,6 @@
 namespace monocular_eye_hand {
 namespace {
 
-/// A camera above the table sees a cube whose foot stands at this height.
-ObjectView view(double stamp, double height) {
-  ObjectView view;
-  view.stamp = stamp;
-  view.camera.width = 640;
-  view.camera.height = 480;
-  view.camera.fx = view.camera.fy = 600;
-  view.camera.cx = 319.5;
-  view.camera.cy = 239.5;
-  view.hand.base_from_tool0 = lookingDown(0.5, 0, 0.8);
-  view.known.table_height = 0.3;
-  view.objects.push_back(seenCube(view.hand.base_from_tool0, {0.5, 0, height}));
-  return view;
-}
-
 /// A solid block whose foot's middle is the origin: two of them cannot be in one place.
 ModelBase block() {
   Mesh mesh;
@@ -39,7 +24,7 @@ TEST(SharedMap, WhatHadYieldedHasTheStampOfItsLastView) {
   const ModelBase models = block();
   SharedMap map(&models, {});
   const auto see = [&](int stamp, const std::vector<Eigen::Vector3d>& feet) {
-    ObjectView seen = view(stamp, 0.3);
+    ObjectView seen = cubeView(stamp, 0.3);
     const Rigid3 camera = lookingDown(0.4 + 0.02 * stamp, 0, 0.8);
     seen.hand.base_from_tool0 = camera;
     seen.objects.clear();
@@ -63,7 +48,7 @@ TEST(SharedMap, StampsAreKeptToTheNanosecond) {
   models.objects.push_back(models.objects[0]);
   models.objects[1].model.name = "other";
   SharedMap map(&models, {});
-  ObjectView seen = view(0, 0.3);
+  ObjectView seen = cubeView(0, 0.3);
   seen.known = {};
   SeenObject first_cube, other;
   first_cube.object = 0;

@@ -11,26 +11,11 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A camera above the table sees a cube whose foot stands at this height.
-ObjectView view(double stamp, double height) {
-  ObjectView view;
-  view.stamp = stamp;
-  view.camera.width = 640;
-  view.camera.height = 480;
-  view.camera.fx = view.camera.fy = 600;
-  view.camera.cx = 319.5;
-  view.camera.cy = 239.5;
-  view.hand.base_from_tool0 = lookingDown(0.5, 0, 0.8);
-  view.known.table_height = 0.3;
-  view.objects.push_back(seenCube(view.hand.base_from_tool0, {0.5, 0, height}));
-  return view;
-}
-
 class ViewMapTest : public testing::Test {
  protected:
   AddedView add(double stamp, double height = 0.3) {
     went_back_ = map_.beginAgain(stamp);
-    return map_.add(view(stamp, height));
+    return map_.add(cubeView(stamp, height));
   }
   const std::vector<MappedObject>& objects() const { return map_.state().objects; }
 

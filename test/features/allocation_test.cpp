@@ -1,34 +1,9 @@
-// A detector that has seen an image allocates nothing when it sees it again. The global operator new is
-// replaced by one that counts.
+// A detector that has seen an image allocates nothing when it sees it again.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "flat_features.h"
+#include "support/allocation_count.h"
 #include "support/camera.h"
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-void* counted(size_t size, size_t alignment = alignof(std::max_align_t)) {
-  ++allocations;
-  const size_t whole = (size + alignment - 1) / alignment * alignment;  // aligned_alloc wants a multiple
-  if (void* p = std::aligned_alloc(alignment, whole > 0 ? whole : alignment)) return p;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-// The forms for arrays and those that do not throw call these.
-void* operator new(size_t size) { return counted(size); }
-void* operator new(size_t size, std::align_val_t alignment) { return counted(size, size_t(alignment)); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, size_t, std::align_val_t) noexcept { std::free(p); }
 
 namespace monocular_eye_hand {
 namespace {
@@ -76,15 +51,15 @@ const std::vector<View>& views() {
 }
 
 TEST(Allocations, AreCounted) {
-  const long before = allocations;
+  const long before = allocationCount();
   ::operator delete(::operator new(8));
   ::operator delete(::operator new(64, std::align_val_t(64)), std::align_val_t(64));
   ::operator delete[](::operator new[](8));
-  EXPECT_EQ(allocations - before, 3);
+  EXPECT_EQ(allocationCount() - before, 3);
   const View& view = views()[0];
-  const long outside = allocations;
+  const long outside = allocationCount();
   detectFeatures(view.image, view.camera);  // in the library
-  EXPECT_GT(allocations - outside, 20);
+  EXPECT_GT(allocationCount() - outside, 20);
 }
 
 TEST(Allocations, NoneForImagesSeenBefore) {
@@ -92,9 +67,9 @@ TEST(Allocations, NoneForImagesSeenBefore) {
   FeatureSet features;
   for (const View& view : views()) detector.detect(view.image, view.camera, &features);
   for (const View& view : views()) {
-    const long before = allocations;
+    const long before = allocationCount();
     detector.detect(view.image, view.camera, &features);
-    EXPECT_EQ(allocations - before, 0);
+    EXPECT_EQ(allocationCount() - before, 0);
     EXPECT_EQ(flat(features), flat(detectFeatures(view.image, view.camera)));
   }
 }

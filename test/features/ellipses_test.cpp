@@ -47,15 +47,15 @@ const DetectedEllipse* find(const FeatureSet& features, const Ellipse& truth) {
   return nullptr;
 }
 
-struct Score {
+struct EllipseScore {
   int truth = 0, found = 0, detected = 0, inside_95 = 0, right_polarity = 0;
   std::vector<double> centre, axes, normalized;
 };
 
-Score scoreOf(double noise, double smallest, double largest, int images) {
+EllipseScore scoreOf(double noise, double smallest, double largest, int images) {
   const Camera camera = testCamera(480, 360);
   std::mt19937 g(29);
-  Score s;
+  EllipseScore s;
 
   for (int i = 0; i < images; ++i) {
     const EllipseImage scene = ellipseImage(camera, noise, smallest, largest, &g);
@@ -81,7 +81,7 @@ Score scoreOf(double noise, double smallest, double largest, int images) {
 }
 
 TEST(Ellipses, BoltHoles) {  // 4 to 8 px
-  const Score s = scoreOf(2, 4, 6, 10);
+  const EllipseScore s = scoreOf(2, 4, 6, 10);
   EXPECT_GE(s.found, 0.97 * s.truth);
   EXPECT_LE(s.detected, s.found + 1);
   EXPECT_EQ(s.right_polarity, s.found);
@@ -90,7 +90,7 @@ TEST(Ellipses, BoltHoles) {  // 4 to 8 px
 }
 
 TEST(Ellipses, Middling) {
-  const Score s = scoreOf(2, 10, 36, 10);
+  const EllipseScore s = scoreOf(2, 10, 36, 10);
   EXPECT_GE(s.found, 0.98 * s.truth);
   EXPECT_LE(s.detected, s.found + 1);
   EXPECT_LT(median(s.centre), 0.03);
@@ -98,7 +98,7 @@ TEST(Ellipses, Middling) {
 }
 
 TEST(Ellipses, MuchNoise) {
-  const Score s = scoreOf(8, 8, 36, 10);
+  const EllipseScore s = scoreOf(8, 8, 36, 10);
   EXPECT_GE(s.found, 0.9 * s.truth);
   EXPECT_LE(s.detected, 1.05 * s.found);
   EXPECT_LT(median(s.centre), 0.12);
@@ -106,7 +106,7 @@ TEST(Ellipses, MuchNoise) {
 
 TEST(Ellipses, CovarianceIsOfTheRightSize) {
   for (double noise : {2.0, 6.0}) {
-    const Score s = scoreOf(noise, 8, 36, 10);
+    const EllipseScore s = scoreOf(noise, 8, 36, 10);
     EXPECT_GE(s.inside_95, 0.85 * s.found) << noise;
     // Not merely large: the reported sizes must be near the errors, so many must lie outside of a third of
     // them.

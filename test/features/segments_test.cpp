@@ -11,7 +11,7 @@ struct Truth {
   Eigen::Vector2d a, b;
 };
 
-struct Score {
+struct SegmentScore {
   int edges = 0, found = 0, fragments = 0, detected = 0, right = 0;
   std::vector<double> offset, corner;
   std::vector<double> normalized_offset;  // offset error over the reported standard deviation
@@ -29,7 +29,7 @@ bool matches(const LineSegment& s, const Truth& t, double* from, double* to, dou
          *from < length - 2;
 }
 
-void score(const FeatureSet& features, const std::vector<Truth>& truth, Score* total) {
+void score(const FeatureSet& features, const std::vector<Truth>& truth, SegmentScore* total) {
   std::vector<char> right(features.segments.size(), 0);
   for (const Truth& t : truth) {
     const double length = (t.b - t.a).norm();
@@ -82,9 +82,9 @@ cv::Mat polygonImage(const Camera& camera, double noise, std::mt19937* g, std::v
   return scene.render(camera, noise, g);
 }
 
-Score scoreOf(double noise, int images, const Camera& camera) {
+SegmentScore scoreOf(double noise, int images, const Camera& camera) {
   std::mt19937 g(17);
-  Score total;
+  SegmentScore total;
   for (int i = 0; i < images; ++i) {
     std::vector<Truth> truth;
     const cv::Mat image = polygonImage(camera, noise, &g, &truth);
@@ -94,7 +94,7 @@ Score scoreOf(double noise, int images, const Camera& camera) {
 }
 
 TEST(Segments, LittleNoise) {
-  const Score s = scoreOf(2, 12, testCamera(400, 400));
+  const SegmentScore s = scoreOf(2, 12, testCamera(400, 400));
   EXPECT_GE(s.found, 0.995 * s.edges) << s.edges;
   EXPECT_GE(s.right, 0.99 * s.detected);
   EXPECT_LE(s.fragments, 1.02 * s.found);
@@ -103,7 +103,7 @@ TEST(Segments, LittleNoise) {
 }
 
 TEST(Segments, MuchNoise) {
-  const Score s = scoreOf(8, 12, testCamera(400, 400));
+  const SegmentScore s = scoreOf(8, 12, testCamera(400, 400));
   EXPECT_GE(s.found, 0.98 * s.edges) << s.edges;
   EXPECT_GE(s.right, 0.95 * s.detected);
   EXPECT_LE(s.fragments, 1.12 * s.found);
@@ -150,7 +150,7 @@ TEST(Segments, DistortedLinesComeOutStraight) {
   const cv::Mat image = scene.render(camera, 2, &g);
   std::vector<Truth> truth;
   for (int i = 0; i < 4; ++i) truth.push_back({frame.corners[i], frame.corners[(i + 1) % 4]});
-  Score s;
+  SegmentScore s;
   score(detectFeatures(image, camera), truth, &s);
   EXPECT_EQ(s.found, 4);
   EXPECT_EQ(s.fragments, 4);
@@ -159,7 +159,7 @@ TEST(Segments, DistortedLinesComeOutStraight) {
 
   Camera ideal = camera;  // the same image without the calibration: bent lines
   ideal.model = DistortionModel::kNone;
-  Score bent;
+  SegmentScore bent;
   score(detectFeatures(image, ideal), truth, &bent);
   EXPECT_LT(bent.found, 4);
 }

@@ -11,22 +11,6 @@ namespace {
 using namespace grasp_world;
 using testing::HasSubstr;
 
-constexpr double kTable = 0.2;  // [m]
-enum { kBlock, kTray, kRod };
-
-ModelBase partsAndTray() {
-  ModelBase models;
-  models.objects.resize(3);
-  models.objects[kBlock].model = boxModel(0.06, 0.03, 0.05);
-  models.objects[kBlock].model.name = "block";
-  models.objects[kTray].model = boxModel(0.3, 0.2, 0.02);
-  models.objects[kTray].model.name = "tray";
-  models.objects[kTray].handling.obstacle = true;
-  models.objects[kRod].model = boxModel(0.1, 0.02, 0.05);
-  models.objects[kRod].model.name = "rod";
-  return models;
-}
-
 ArmNow armReady() { return {ready(), ""}; }
 
 class GraspAdvisorTest : public testing::Test {

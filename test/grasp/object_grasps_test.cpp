@@ -10,20 +10,6 @@ namespace {
 
 using namespace grasp_world;
 
-constexpr double kTable = 0.2;  // [m]
-enum { kBlock, kTray };
-
-ModelBase blockAndTray() {
-  ModelBase models;
-  models.objects.resize(2);
-  models.objects[kBlock].model = boxModel(0.06, 0.03, 0.05);
-  models.objects[kBlock].model.name = "block";
-  models.objects[kTray].model = boxModel(0.3, 0.2, 0.02);
-  models.objects[kTray].model.name = "tray";
-  models.objects[kTray].handling.obstacle = true;
-  return models;
-}
-
 MappedObject at(double x, double y, int object = kBlock, int number = 0) {
   MappedObject mapped;
   mapped.object = object;
@@ -35,7 +21,7 @@ MappedObject at(double x, double y, int object = kBlock, int number = 0) {
 
 class ObjectGraspsTest : public testing::Test {
  protected:
-  const ModelBase models_ = blockAndTray();
+  const ModelBase models_ = partsAndTray();
   const Puma560 arm_;
   const ObjectGrasps grasps_{&models_, &arm_, tool0FromTcp(), {}, {}, {}};
 };

@@ -20,8 +20,6 @@ namespace {
 using namespace grasp_world;
 using testing::HasSubstr;
 
-constexpr double kTable = 0.2;
-
 Rigid3 onTable(double x, double y, double turn, const Rigid3& table_from_object = {}) {
   return Rigid3{Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix(), {x, y, kTable}} *
          table_from_object;

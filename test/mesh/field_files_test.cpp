@@ -21,8 +21,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr double kWeldShare = 1e-6;  // of the diameter
-const Mesh kBox = box(40, 50, 60);
-
 /// The warnings on reading a file, which must hold the box.
 std::vector<std::string> warningsOf(const std::string& extension, const std::string& bytes,
                                     const std::string& unit = "mm") {

@@ -24,8 +24,6 @@ void expectBox(const Mesh& m, double x, double y, double z) {
   EXPECT_LT((box.sizes() - Point(x, y, z)).norm(), 1e-8);
 }
 
-const Mesh kBox = box(40, 50, 60);
-
 TEST(LoadMesh, ReadsEveryFormat) {
   expectBox(load("stl", asciiStl(kBox)), 0.04, 0.05, 0.06);
   expectBox(load("STL", binaryStl(kBox)), 0.04, 0.05, 0.06);

@@ -17,8 +17,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const Mesh kBox = shapes::box(40, 50, 60);
-
 int signalOf(const ChildResult& child) { return WIFSIGNALED(child.status) ? WTERMSIG(child.status) : 0; }
 
 TEST(ChildProcess, GetsItsInputAndGivesItsOutput) {
@@ -41,16 +39,18 @@ TEST(ReadByAssimp, ManyThreadsReadAtOnce) {
   std::vector<std::thread> threads;
   std::vector<size_t> triangles(8, 0);
   for (size_t k = 0; k < triangles.size(); ++k)
-    threads.emplace_back(
-        [&triangles, k] { triangles[k] = readByAssimp(obj(kBox), "part.obj", "obj").mesh.triangles.size(); });
+    threads.emplace_back([&triangles, k] {
+      triangles[k] = readByAssimp(obj(shapes::kBox), "part.obj", "obj").mesh.triangles.size();
+    });
   for (std::thread& thread : threads) thread.join();
   EXPECT_THAT(triangles, testing::Each(12u));
 }
 
 TEST(ReadByAssimp, LibrariesOfMaterialsDoNotCount) {
-  const std::string with = "mtllib a.mtl\nusemtl a\n" + obj(kBox) + "  mtllib b.mtl\nmtllib";
+  const std::string with = "mtllib a.mtl\nusemtl a\n" + obj(shapes::kBox) + "  mtllib b.mtl\nmtllib";
   const ReadMesh read = readByAssimp(with, "part.obj", "obj");
-  EXPECT_EQ(read.mesh.triangles, readByAssimp("usemtl a\n" + obj(kBox), "part.obj", "obj").mesh.triangles);
+  EXPECT_EQ(read.mesh.triangles,
+            readByAssimp("usemtl a\n" + obj(shapes::kBox), "part.obj", "obj").mesh.triangles);
   EXPECT_EQ(read.metres_per_unit, 0);
 }
 
@@ -71,12 +71,12 @@ TEST(ReadByAssimp, TheReaderMayTakeSoMuchMemory) {
 #endif
   AssimpLimits limits;
   limits.megabytes = 1;
-  EXPECT_THAT(refusal([&] { readByAssimp(obj(kBox), "folder/part.obj", "obj", limits); }),
+  EXPECT_THAT(refusal([&] { readByAssimp(obj(shapes::kBox), "folder/part.obj", "obj", limits); }),
               AllOf(HasSubstr("folder/part.obj"), HasSubstr("memory"), HasSubstr("1 MB")));
 }
 
 TEST(ReadByAssimp, TheReaderMayTakeSoMuchTime) {
-  std::string endless = dae(kBox, "");
+  std::string endless = dae(shapes::kBox, "");
   endless.insert(endless.find("<p>") + 3, "x ");
   const ChildResult child = runChild(ASSIMP_READER_PROGRAM, {"dae", "1", "4096"}, endless);
   // Releases of assimp that do not run for ever refuse it.

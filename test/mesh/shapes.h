@@ -257,4 +257,7 @@ inline std::string shippedModel(const std::string& name) {
   return std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/models/" + name + ".ply";
 }
 
+/// What most files of these tests hold [mm].
+inline const Mesh kBox = box(40, 50, 60);
+
 }  // namespace monocular_eye_hand::shapes

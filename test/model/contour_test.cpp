@@ -15,7 +15,7 @@ namespace {
 
 using namespace shapes;
 
-ObjectModel build(const Mesh& mesh) {
+ObjectModel withoutSymmetries(const Mesh& mesh) {
   ModelOptions options;
   options.find_symmetries = false;
   return buildModel("part", mesh, options);
@@ -70,7 +70,7 @@ Mesh angle() {
 }
 
 TEST(RayScene, CastAndOcclusionAgreeWithBruteForce) {
-  const ObjectModel m = build(loadMesh(shippedModel("grenade"), "mm"));
+  const ObjectModel m = withoutSymmetries(loadMesh(shippedModel("grenade"), "mm"));
   std::mt19937 random(3);
   std::normal_distribution<double> g;
   int hits = 0;
@@ -96,7 +96,7 @@ TEST(RayScene, CastAndOcclusionAgreeWithBruteForce) {
 }
 
 TEST(Contour, CubeFromACornerShowsNineEdges) {
-  const ObjectModel m = build(box(0.08, 0.08, 0.08));
+  const ObjectModel m = withoutSymmetries(box(0.08, 0.08, 0.08));
   ContourOptions options;
   options.step = 0.004;
   const auto contour = visibleContour(m, {0.3, 0.35, 0.4}, options);
@@ -118,7 +118,7 @@ TEST(Contour, CubeFromACornerShowsNineEdges) {
 }
 
 TEST(Contour, SamplesStandOneStepApartWithTheRestAtBothEnds) {
-  const ObjectModel m = build(box(0.08, 0.08, 0.08));
+  const ObjectModel m = withoutSymmetries(box(0.08, 0.08, 0.08));
   ContourOptions options;
   options.step = 0.0073;
   std::map<int, std::vector<Eigen::Vector3d>> points;
@@ -149,7 +149,7 @@ TEST(Contour, AgreesWithBruteForceOnSharpFeatures) {
         Part{"frame", loadMesh(shippedModel("frame"), "mm")},
         Part{"bracket", loadMesh(shippedModel("bracket"), "mm")},
         Part{"grenade", loadMesh(shippedModel("grenade"), "mm")}}) {
-    const ObjectModel m = build(part.mesh);
+    const ObjectModel m = withoutSymmetries(part.mesh);
     ContourOptions options;
     options.step = m.diameter / 40;
     int agreed = 0, shown = 0, wrong = 0;
@@ -197,7 +197,7 @@ TEST(Contour, AgreesWithBruteForceOnSharpFeatures) {
 }
 
 TEST(Contour, WholeCircleIsVisibleFromAboveAndHalfHiddenInABore) {
-  const ObjectModel m = build(plateWithHole(24, 0.03, 0.01, 0.02));
+  const ObjectModel m = withoutSymmetries(plateWithHole(24, 0.03, 0.01, 0.02));
   ContourOptions options;
   options.step = 0.001;
 
@@ -227,7 +227,7 @@ TEST(Contour, WholeCircleIsVisibleFromAboveAndHalfHiddenInABore) {
 TEST(Contour, CylinderShowsItsTwoExactSilhouetteLines) {
   for (const int n : {12, 24, 100}) {
     const double r = 0.02;
-    const ObjectModel m = build(cylinder(n, r, 0.06));
+    const ObjectModel m = withoutSymmetries(cylinder(n, r, 0.06));
     int wall = -1;
     for (size_t s = 0; s < m.surfaces.size(); ++s) {
       if (m.surfaces[s].kind == Surface::Kind::kCylinder) wall = m.featureOfSilhouette(int(s));
@@ -255,7 +255,7 @@ TEST(Contour, CylinderShowsItsTwoExactSilhouetteLines) {
 }
 
 TEST(Contour, HoleWallHasNoSilhouette) {
-  const ObjectModel m = build(plateWithHole(24, 0.03, 0.01, 0.02));
+  const ObjectModel m = withoutSymmetries(plateWithHole(24, 0.03, 0.01, 0.02));
   for (const Eigen::Vector3d& eye : eyes(m, 20, 2)) {
     for (const ContourSample& s : visibleContour(m, eye, {})) EXPECT_LT(s.feature, m.featureOfSilhouette(0));
   }
@@ -263,7 +263,7 @@ TEST(Contour, HoleWallHasNoSilhouette) {
 
 TEST(Contour, SphereSilhouetteIsTheTangentCircle) {
   const double r = 0.03, distance = 0.12;
-  const ObjectModel m = build(sphere(64, r));
+  const ObjectModel m = withoutSymmetries(sphere(64, r));
   ContourOptions options;
   options.step = 0.002;
   for (const Eigen::Vector3d& d :
@@ -282,7 +282,7 @@ TEST(Contour, SphereSilhouetteIsTheTangentCircle) {
 }
 
 TEST(Contour, ConeShowsItsGeneratorLines) {
-  const ObjectModel m = build(cone(48, 0.03, 0.01, 0.04));
+  const ObjectModel m = withoutSymmetries(cone(48, 0.03, 0.01, 0.04));
   ContourOptions options;
   options.step = 0.001;
   int samples = 0;
@@ -297,7 +297,7 @@ TEST(Contour, ConeShowsItsGeneratorLines) {
 
 TEST(Contour, ConeShowsItsGeneratorLinesUpToItsTip) {
   const double radius = 0.03, height = 0.08;
-  const ObjectModel m = build(cone(48, radius, 0, height));
+  const ObjectModel m = withoutSymmetries(cone(48, radius, 0, height));
   ContourOptions options;
   options.step = 0.001;
   for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0.3, 0.05, 0.02), Eigen::Vector3d(-0.1, 0.25, 0.2)}) {
@@ -316,7 +316,7 @@ TEST(Contour, ConeShowsItsGeneratorLinesUpToItsTip) {
 
 TEST(Contour, SilhouetteSideNamesWhereTheObjectIs) {
   for (const char* name : {"bridge", "bracket", "grenade", "flange"}) {
-    const ObjectModel m = build(loadMesh(shippedModel(name), "mm"));
+    const ObjectModel m = withoutSymmetries(loadMesh(shippedModel(name), "mm"));
     int judged = 0, right = 0;
     for (const Eigen::Vector3d& eye : eyes(m, 30, 6)) {
       for (const ContourSample& s : visibleContour(m, eye, {})) {
@@ -341,7 +341,7 @@ TEST(Contour, SilhouetteSideNamesWhereTheObjectIs) {
 }
 
 TEST(Contour, BadOptionsAndModelsAreRefused) {
-  const ObjectModel m = build(box(1, 1, 1));
+  const ObjectModel m = withoutSymmetries(box(1, 1, 1));
   ContourOptions options;
   options.step = 0;
   EXPECT_THROW(visibleContour(m, {3, 3, 3}, options), BadInput);

@@ -18,7 +18,7 @@ Mesh boxMesh(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return mesh;
 }
 
-ObjectModel box(double x, double y, double z) {
+ObjectModel centredBox(double x, double y, double z) {
   return buildModel("box", boxMesh(Eigen::Vector3d(-x, -y, -z) / 2, Eigen::Vector3d(x, y, z) / 2));
 }
 
@@ -29,7 +29,7 @@ bool meet(const ObjectModel& a, const ObjectModel& b, const Rigid3& a_from_b, do
 }
 
 TEST(Interior, InsideIsInside) {
-  const ObjectModel b = box(0.04, 0.06, 0.02);
+  const ObjectModel b = centredBox(0.04, 0.06, 0.02);
   EXPECT_TRUE(insideSolid(b, {0, 0, 0}));
   EXPECT_TRUE(insideSolid(b, {0.0199, -0.0299, 0.0099}));
   EXPECT_FALSE(insideSolid(b, {0.0201, 0, 0}));
@@ -54,7 +54,7 @@ TEST(Interior, AnOpenMeshHasNoInside) {
 }
 
 TEST(Interior, InnerPointsKeepTheirDepthAndNumber) {
-  const ObjectModel b = box(0.04, 0.06, 0.02);
+  const ObjectModel b = centredBox(0.04, 0.06, 0.02);
   const std::vector<Eigen::Vector3d> inner = innerPoints(b, 0.004);
   ASSERT_FALSE(inner.empty());
   for (const Eigen::Vector3d& p : inner) {
@@ -64,11 +64,11 @@ TEST(Interior, InnerPointsKeepTheirDepthAndNumber) {
   }
   EXPECT_LE(innerPoints(b, 0.001, 50).size(), 50u);
   // A sheet thinner than twice the depth still has a middle.
-  EXPECT_FALSE(innerPoints(box(0.04, 0.06, 0.003), 0.004).empty());
+  EXPECT_FALSE(innerPoints(centredBox(0.04, 0.06, 0.003), 0.004).empty());
 }
 
 TEST(Interior, WhatReachesIntoEachOtherDoesWhatTouchesDoesNot) {
-  const ObjectModel b = box(0.04, 0.04, 0.04), bar = box(0.2, 0.012, 0.012);
+  const ObjectModel b = centredBox(0.04, 0.04, 0.04), bar = centredBox(0.2, 0.012, 0.012);
   EXPECT_TRUE(meet(b, b, shifted(0.03, 0, 0)));
   EXPECT_FALSE(meet(b, b, shifted(0.038, 0, 0)));  // 2 mm deep
   EXPECT_FALSE(meet(b, b, shifted(0.05, 0, 0)));

@@ -320,7 +320,7 @@ TEST(SimilarModels, AreWarnedAboutInBothModels) {
   EXPECT_TRUE(base.objects[3].model.warnings.empty());
 }
 
-std::string refusalOf(const std::string& yaml) {
+std::string refusalOfEntries(const std::string& yaml) {
   const Folder folder;
   folder.write("part.ply", bytesOf(shippedModel("bridge")));
   const std::string message = refusal([&] { readObjectEntries(folder.write("objects.yaml", yaml)); });
@@ -367,21 +367,23 @@ TEST(ObjectEntries, MeshPathsMayNamePackagesUrlsAndVariables) {
 
 TEST(ObjectEntries, MistakesAreNamed) {
   EXPECT_THROW(readObjectEntries("/no/such/objects.yaml"), BadInput);
-  EXPECT_THAT(refusalOf("objects: [{name: a"), HasSubstr("objects.yaml"));
-  EXPECT_THAT(refusalOf("object: []"), HasSubstr("unknown key 'object'; did you mean 'objects'?"));
-  EXPECT_THAT(refusalOf("objects: []"), HasSubstr("at least one"));
-  EXPECT_THAT(refusalOf("just text"), HasSubstr("objects"));
-  EXPECT_THAT(refusalOf("objects: [3]"), HasSubstr("name"));
-  EXPECT_THAT(refusalOf("objects: [{mesh: part.ply}]"), HasSubstr("\"name\" is missing"));
-  EXPECT_THAT(refusalOf("objects: [{name: a}]"), HasSubstr("\"mesh\" is missing"));
-  EXPECT_THAT(refusalOf("objects: [{name: a, mesh: none.stl}]"), HasSubstr("none.stl"));
-  EXPECT_THAT(refusalOf("objects: [{name: a, mesh: part.ply, units: mm}]"),
+  EXPECT_THAT(refusalOfEntries("objects: [{name: a"), HasSubstr("objects.yaml"));
+  EXPECT_THAT(refusalOfEntries("object: []"), HasSubstr("unknown key 'object'; did you mean 'objects'?"));
+  EXPECT_THAT(refusalOfEntries("objects: []"), HasSubstr("at least one"));
+  EXPECT_THAT(refusalOfEntries("just text"), HasSubstr("objects"));
+  EXPECT_THAT(refusalOfEntries("objects: [3]"), HasSubstr("name"));
+  EXPECT_THAT(refusalOfEntries("objects: [{mesh: part.ply}]"), HasSubstr("\"name\" is missing"));
+  EXPECT_THAT(refusalOfEntries("objects: [{name: a}]"), HasSubstr("\"mesh\" is missing"));
+  EXPECT_THAT(refusalOfEntries("objects: [{name: a, mesh: none.stl}]"), HasSubstr("none.stl"));
+  EXPECT_THAT(refusalOfEntries("objects: [{name: a, mesh: part.ply, units: mm}]"),
               HasSubstr("objects.yaml: object 1 (a): unknown key 'units'; did you mean 'unit'?"));
-  EXPECT_THAT(refusalOf("objects: [{name: a, mesh: part.ply, unit: ell}]"),
+  EXPECT_THAT(refusalOfEntries("objects: [{name: a, mesh: part.ply, unit: ell}]"),
               HasSubstr("known: m, cm, mm, inch"));
-  EXPECT_THAT(refusalOf("objects: [{name: a, mesh: part.ply, sharp_angle: wide}]"), HasSubstr("sharp_angle"));
-  EXPECT_THAT(refusalOf("objects: [{name: a, mesh: part.ply, sharp_angle: 9}]"), HasSubstr("sharp_angle"));
-  EXPECT_THAT(refusalOf("objects: [{name: a, mesh: part.ply}, {name: a, mesh: part.ply}]"),
+  EXPECT_THAT(refusalOfEntries("objects: [{name: a, mesh: part.ply, sharp_angle: wide}]"),
+              HasSubstr("sharp_angle"));
+  EXPECT_THAT(refusalOfEntries("objects: [{name: a, mesh: part.ply, sharp_angle: 9}]"),
+              HasSubstr("sharp_angle"));
+  EXPECT_THAT(refusalOfEntries("objects: [{name: a, mesh: part.ply}, {name: a, mesh: part.ply}]"),
               HasSubstr("used twice"));
 }
 

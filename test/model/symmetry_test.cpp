@@ -13,7 +13,7 @@ namespace {
 
 using namespace shapes;
 
-Symmetries of(const Mesh& mesh) { return buildModel("part", mesh).symmetries; }
+Symmetries symmetriesOf(const Mesh& mesh) { return buildModel("part", mesh).symmetries; }
 
 /// Every listed motion maps the vertices of the mesh onto vertices, and the list is a group.
 void checkGroup(const Mesh& mesh, const Symmetries& s, double tolerance) {
@@ -50,7 +50,7 @@ TEST(Symmetry, PolyhedraHaveTheirRotationGroups) {
         Case{"uneven wedge", prism({{0, 0}, {0.04, 0}, {0, 0.03}}, 0.05), 1}}) {
     for (unsigned pose = 0; pose < 3; ++pose) {
       const Mesh mesh = pose == 0 ? c.mesh : rounded(moved(c.mesh, somewhere(pose)));
-      const Symmetries s = of(mesh);
+      const Symmetries s = symmetriesOf(mesh);
       EXPECT_EQ(s.discrete.size(), c.order) << c.name << " pose " << pose;
       EXPECT_FALSE(s.axis) << c.name;
       EXPECT_FALSE(s.sphere) << c.name;
@@ -64,7 +64,7 @@ TEST(Symmetry, TwistedAndChiralPartsHaveNone) {
   Mesh m = box(0.06, 0.01, 0.02);
   append(&m, moved(box(0.01, 0.03, 0.02), {Eigen::Matrix3d::Identity(), {0.025, 0.02, 0}}));
   append(&m, moved(box(0.012, 0.01, 0.03), {Eigen::Matrix3d::Identity(), {-0.024, 0, 0.025}}));
-  EXPECT_EQ(of(m).discrete.size(), 1u);
+  EXPECT_EQ(symmetriesOf(m).discrete.size(), 1u);
 }
 
 TEST(Symmetry, ContinuousAxis) {
@@ -72,13 +72,13 @@ TEST(Symmetry, ContinuousAxis) {
     for (unsigned pose = 0; pose < 2; ++pose) {
       const Rigid3 motion = pose == 0 ? Rigid3{} : somewhere(11);
       const Eigen::Vector3d axis = motion.rotation.col(2);
-      const Symmetries rod = of(rounded(moved(cylinder(n, 0.02, 0.05), motion)));
+      const Symmetries rod = symmetriesOf(rounded(moved(cylinder(n, 0.02, 0.05), motion)));
       ASSERT_TRUE(rod.axis) << n;
       EXPECT_EQ(rod.discrete.size(), 2u) << n;  // a flip is left
       EXPECT_NEAR(std::abs(rod.axis->direction.dot(axis)), 1, 1e-6);
       const Eigen::Vector3d off = rod.axis->point - motion.translation;
       EXPECT_LT((off - axis * axis.dot(off)).norm(), 1e-5);
-      const Symmetries frustum = of(rounded(moved(cone(n, 0.03, 0.015, 0.04), motion)));
+      const Symmetries frustum = symmetriesOf(rounded(moved(cone(n, 0.03, 0.015, 0.04), motion)));
       ASSERT_TRUE(frustum.axis) << n;
       EXPECT_EQ(frustum.discrete.size(), 1u) << n;
     }
@@ -87,7 +87,7 @@ TEST(Symmetry, ContinuousAxis) {
 
 TEST(Symmetry, CylinderAsHighAsItsMomentsAreEqualStillHasItsAxis) {
   // With equal moments every direction is a principal axis: the wall's own axis must do.
-  const Symmetries s = of(cylinder(48, 0.02, 0.0283));
+  const Symmetries s = symmetriesOf(cylinder(48, 0.02, 0.0283));
   ASSERT_TRUE(s.axis);
   EXPECT_NEAR(std::abs(s.axis->direction.z()), 1, 1e-6);
 }
@@ -95,13 +95,13 @@ TEST(Symmetry, CylinderAsHighAsItsMomentsAreEqualStillHasItsAxis) {
 TEST(Symmetry, KeyedShaftHasNoAxis) {
   Mesh m = cylinder(64, 0.02, 0.05);
   append(&m, moved(box(0.006, 0.006, 0.02), {Eigen::Matrix3d::Identity(), {0.02, 0, 0.05}}));
-  const Symmetries s = of(m);
+  const Symmetries s = symmetriesOf(m);
   EXPECT_FALSE(s.axis);
   EXPECT_EQ(s.discrete.size(), 1u);
 }
 
 TEST(Symmetry, Sphere) {
-  const Symmetries s = of(rounded(sphere(64, 0.03)));
+  const Symmetries s = symmetriesOf(rounded(sphere(64, 0.03)));
   EXPECT_TRUE(s.sphere);
 }
 
@@ -113,7 +113,7 @@ TEST(Symmetry, ShippedModels) {
   };
   for (const Want& w : {Want{"bridge", 2, false}, Want{"grenade", 1, false}, Want{"frame", 4, false},
                         Want{"flange", 1, true}, Want{"bracket", 1, false}}) {
-    const Symmetries s = of(loadMesh(shippedModel(w.name), "mm"));
+    const Symmetries s = symmetriesOf(loadMesh(shippedModel(w.name), "mm"));
     EXPECT_EQ(s.discrete.size(), w.order) << w.name;
     EXPECT_EQ(bool(s.axis), w.axis) << w.name;
     if (s.axis) {

@@ -7,14 +7,14 @@
 namespace monocular_eye_hand {
 namespace {
 
-ObjectModel box() {
+ObjectModel twoEdgedBox() {
   ObjectModel model;
   model.bounds = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 2, 4));
   return model;
 }
 
 TEST(Wireframe, HasEveryEdge) {
-  ObjectModel model = box();
+  ObjectModel model = twoEdgedBox();
   model.edges.resize(2);
   model.edges[1].p = {1, 2, 3};
   model.edges[1].q = {4, 5, 6};
@@ -25,7 +25,7 @@ TEST(Wireframe, HasEveryEdge) {
 }
 
 TEST(Wireframe, AnArcIsChordsFromItsStartToItsEnd) {
-  ObjectModel model = box();
+  ObjectModel model = twoEdgedBox();
   ModelCircle circle;
   circle.centre = {0, 0, 1};
   circle.axis = {0, 0, 1};
@@ -43,7 +43,7 @@ TEST(Wireframe, AnArcIsChordsFromItsStartToItsEnd) {
 
 TEST(Wireframe, WithoutEdgesItIsTheBox) {
   double length = 0;
-  const auto lines = wireframe(box());
+  const auto lines = wireframe(twoEdgedBox());
   for (const WireframeLine& line : lines) length += (line.q - line.p).norm();
   EXPECT_EQ(lines.size(), 12u);
   EXPECT_EQ(length, 4 * (1 + 2 + 4));

@@ -12,7 +12,7 @@ namespace {
 
 const std::string kSource = MONOCULAR_EYE_HAND_SOURCE_DIR;
 
-EyeHandParameters some() {
+EyeHandParameters someEyeHand() {
   EyeHandParameters parameters;
   parameters.objects = kSource + "/config/objects.yaml";
   parameters.urdf = kSource + "/urdf/puma560.urdf";
@@ -33,9 +33,9 @@ void expectNames(const OptionTree& whole, const OptionTree& part, const std::str
 
 // Defaults stand in the structs; the shipped file repeats them for people and must not drift.
 TEST(EyeHandParameters, ShippedFileHoldsTheDefaults) {
-  EyeHandParameters parameters = some();
+  EyeHandParameters parameters = someEyeHand();
   readOptions(loadYaml(kSource + "/config/eye_hand.yaml"), &parameters);
-  EXPECT_EQ(writeOptions(parameters), writeOptions(some()));
+  EXPECT_EQ(writeOptions(parameters), writeOptions(someEyeHand()));
 }
 
 TEST(EyeHandParameters, ShippedFileNamesEveryParameter) {
@@ -51,7 +51,7 @@ TEST(EyeHandParameters, ObjectsAreExpectedWhereTheRecogniserLooks) {
 
 TEST(EyeHandParameters, AreChecked) {
   const auto refused = [](const std::string& field, auto change) {
-    EyeHandParameters parameters = some();
+    EyeHandParameters parameters = someEyeHand();
     EXPECT_NO_THROW(parameters.check());
     change(&parameters);
     try {
@@ -82,15 +82,15 @@ TEST(EyeHandParameters, AreChecked) {
 }
 
 TEST(EyeHandSetup, TheShippedArmIsTheDefaultOne) {
-  const ArmDescription description = loadSameArm(some(), Puma560(some().arm));
+  const ArmDescription description = loadSameArm(someEyeHand(), Puma560(someEyeHand().arm));
   EXPECT_NEAR(description.tool0_from_tcp.translation.z(), 0.16, 1e-9);
 }
 
 TEST(EyeHandSetup, AnotherArmOrGripperIsRefused) {
-  EyeHandParameters parameters = some();
+  EyeHandParameters parameters = someEyeHand();
   parameters.arm.a2 = 0.44;
   EXPECT_THROW(loadSameArm(parameters, Puma560(parameters.arm)), BadInput);
-  parameters = some();
+  parameters = someEyeHand();
   parameters.gripper.opening_max = 0.12;
   try {
     loadSameArm(parameters, Puma560());
@@ -104,7 +104,7 @@ TEST(EyeHandSetup, AnotherArmOrGripperIsRefused) {
 
 // The frame is something that other things lie in; the rest may be grasped.
 TEST(EyeHandSetup, ShippedModelBaseMarksTheFrame) {
-  const ModelBase models = loadModels(some().objects, ModelDepth::kShape, {}, "none");
+  const ModelBase models = loadModels(someEyeHand().objects, ModelDepth::kShape, {}, "none");
   ASSERT_GE(models.indexOf("frame"), 0);
   for (const KnownObject& known : models.objects) {
     EXPECT_EQ(known.handling.obstacle, known.model.name == "frame") << known.model.name;

@@ -7,7 +7,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-const std::string kConfig = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/recognizer.yaml";
+const std::string kRecognizerConfig = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/recognizer.yaml";
 
 // Every entry of `part` with the same text, or the same number, in `whole`.
 void expectContains(const OptionTree& whole, const OptionTree& part, const std::string& where) {
@@ -24,7 +24,7 @@ void expectContains(const OptionTree& whole, const OptionTree& part, const std::
 
 // Defaults stand in the structs; the shipped file repeats them for people and must not drift.
 TEST(RecognizerParameters, ShippedFileHoldsTheDefaults) {
-  const OptionTree file = loadYaml(kConfig);
+  const OptionTree file = loadYaml(kRecognizerConfig);
   RecognizerParameters parameters;
   parameters.objects = "some.yaml";
   readOptions(file, &parameters);
@@ -35,7 +35,7 @@ TEST(RecognizerParameters, ShippedFileHoldsTheDefaults) {
 }
 
 TEST(RecognizerParameters, ShippedFileNamesEveryParameterOfTheNode) {
-  const OptionTree file = loadYaml(kConfig);
+  const OptionTree file = loadYaml(kRecognizerConfig);
   for (const auto& entry : writeOptions(RecognizerParameters()).map) {
     if (entry.first == "objects") continue;  // the launch file's argument; it has no default
     EXPECT_NE(file.find(entry.first), nullptr) << entry.first;

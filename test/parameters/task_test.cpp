@@ -13,9 +13,9 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kConfig = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/task.yaml";
+const std::string kTaskConfig = std::string(MONOCULAR_EYE_HAND_SOURCE_DIR) + "/config/task.yaml";
 
-TaskParameters some() {
+TaskParameters someTask() {
   TaskParameters parameters;
   parameters.objects = "objects.yaml";
   parameters.urdf = "arm.urdf";
@@ -34,14 +34,14 @@ std::string refusalOf(Call call) {
 
 // Defaults stand in the structs; the shipped file repeats them for people and must not drift.
 TEST(TaskParameters, ShippedFileHoldsTheDefaults) {
-  TaskParameters parameters = some();
+  TaskParameters parameters = someTask();
   parameters.centre.fill(0);
-  readOptions(loadYaml(kConfig), &parameters);
-  EXPECT_EQ(writeOptions(parameters), writeOptions(some()));
+  readOptions(loadYaml(kTaskConfig), &parameters);
+  EXPECT_EQ(writeOptions(parameters), writeOptions(someTask()));
 }
 
 TEST(TaskParameters, ShippedFileNamesEveryParameter) {
-  const OptionTree file = loadYaml(kConfig), all = writeOptions(TaskParameters());
+  const OptionTree file = loadYaml(kTaskConfig), all = writeOptions(TaskParameters());
   for (const auto& entry : all.map) {
     if (entry.first == "objects" || entry.first == "urdf" || entry.first == "arm") continue;
     const OptionTree* value = file.find(entry.first);
@@ -54,7 +54,7 @@ TEST(TaskParameters, ShippedFileNamesEveryParameter) {
 TEST(TaskParameters, UnknownKeysAreRefusedByName) {
   const auto refused = [](const std::string& yaml) {
     return refusalOf([&] {
-      TaskParameters parameters = some();
+      TaskParameters parameters = someTask();
       readOptions(parseYaml(yaml), &parameters);
     });
   };
@@ -67,7 +67,7 @@ TEST(TaskParameters, UnknownKeysAreRefusedByName) {
 
 TEST(TaskParameters, AreChecked) {
   const auto refused = [](const std::string& text, auto change) {
-    TaskParameters parameters = some();
+    TaskParameters parameters = someTask();
     EXPECT_NO_THROW(parameters.check());
     change(&parameters);
     EXPECT_THAT(refusalOf([&] { parameters.check(); }), HasSubstr(text));

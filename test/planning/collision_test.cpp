@@ -9,7 +9,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-JointVector over(double x, double y, double z) {
+JointVector straightOver(double x, double y, double z) {
   const CartesianPath path = cartesianPath(toolArm(), lookingJoints(), down(x, y, z));
   EXPECT_TRUE(path.found()) << path.reason;
   return path.points.back();
@@ -20,7 +20,8 @@ TEST(CollisionWorld, FreeAndTouchingWithNames) {
   world.setGripperWidth(0.06);
   EXPECT_TRUE(world.valid(lookingJoints()));
   EXPECT_EQ(world.firstCollision(lookingJoints()).first, "");
-  const JointVector low = over(0.38, 0.2, kTableTop + 0.004);  // the fingers end 9 mm below gripper_tcp
+  const JointVector low =
+      straightOver(0.38, 0.2, kTableTop + 0.004);  // the fingers end 9 mm below gripper_tcp
   EXPECT_FALSE(world.valid(low));
   const CollisionPair pair = world.firstCollision(low);
   EXPECT_EQ(pair.first.substr(0, 6), "finger");
@@ -31,7 +32,7 @@ TEST(CollisionWorld, FreeAndTouchingWithNames) {
 TEST(CollisionWorld, ClearanceIsTheDistance) {
   CollisionWorld world = demoWorld();
   world.setGripperWidth(0.02);
-  const JointVector above = over(0.36, 0.25, kTableTop + 0.009 + 0.012);
+  const JointVector above = straightOver(0.36, 0.25, kTableTop + 0.009 + 0.012);
   const CollisionPair pair = world.clearance(above, 0.05);
   EXPECT_EQ(pair.second, "table");
   EXPECT_NEAR(pair.distance, 0.012, 1e-4);
@@ -40,7 +41,7 @@ TEST(CollisionWorld, ClearanceIsTheDistance) {
 
 TEST(CollisionWorld, PaddingIsADistance) {
   CollisionWorld world = demoWorld();
-  const JointVector above = over(0.36, 0.25, kTableTop + 0.009 + 0.004);
+  const JointVector above = straightOver(0.36, 0.25, kTableTop + 0.009 + 0.004);
   EXPECT_TRUE(world.valid(above));
   world.setPadding(0.0039);
   EXPECT_TRUE(world.valid(above));
@@ -52,8 +53,8 @@ TEST(CollisionWorld, PaddingIsADistance) {
 TEST(CollisionWorld, TheFrameIsConcaveAndSolid) {
   CollisionWorld world(armDescription());
   world.addMesh("frame", shippedMesh("frame"), at(0.55, 0, kTableTop));
-  EXPECT_TRUE(world.valid(over(0.55, 0, kTableTop + 0.012))) << "in the opening";
-  EXPECT_FALSE(world.valid(over(0.55, 0.095, kTableTop + 0.02))) << "on the bar";
+  EXPECT_TRUE(world.valid(straightOver(0.55, 0, kTableTop + 0.012))) << "in the opening";
+  EXPECT_FALSE(world.valid(straightOver(0.55, 0.095, kTableTop + 0.02))) << "on the bar";
   // A small solid wholly inside a closed one touches no surface of it.
   CollisionWorld inside(armDescription());
   Mesh block = shippedMesh("frame");
@@ -69,8 +70,8 @@ TEST(CollisionWorld, TheFrameIsConcaveAndSolid) {
 TEST(CollisionWorld, CarriedObjectCollidesAndMayRestOnTheTable) {
   CollisionWorld world = demoWorld();
   world.setGripperWidth(0.04);
-  const JointVector grasp = over(0.50, 0.045, kTableTop + 0.048);
-  EXPECT_TRUE(world.valid(over(0.50, 0.045, kTableTop + 0.15)));
+  const JointVector grasp = straightOver(0.50, 0.045, kTableTop + 0.048);
+  EXPECT_TRUE(world.valid(straightOver(0.50, 0.045, kTableTop + 0.15)));
   world.attach("bridge_0",
                down(0.50, 0.045, kTableTop + 0.048).inverse() * at(0.50, 0.045, kTableTop - 1e-4));
   EXPECT_EQ(world.carried(), "bridge_0");
@@ -81,13 +82,13 @@ TEST(CollisionWorld, CarriedObjectCollidesAndMayRestOnTheTable) {
   world.allow("bridge_0", "table");
   EXPECT_TRUE(world.allowed("table", "bridge_0"));
   EXPECT_TRUE(world.valid(grasp));
-  pair = world.firstCollision(over(0.50, 0.10, kTableTop + 0.060));
+  pair = world.firstCollision(straightOver(0.50, 0.10, kTableTop + 0.060));
   EXPECT_EQ(pair.first, "bridge_0");
   EXPECT_EQ(pair.second, "frame");
   world.forbid("bridge_0", "table");
   world.setCarriedPadding(0.01);
-  EXPECT_FALSE(world.valid(over(0.36, 0.3, kTableTop + 0.048 + 0.009)));
-  EXPECT_TRUE(world.valid(over(0.36, 0.3, kTableTop + 0.048 + 0.011)));
+  EXPECT_FALSE(world.valid(straightOver(0.36, 0.3, kTableTop + 0.048 + 0.009)));
+  EXPECT_TRUE(world.valid(straightOver(0.36, 0.3, kTableTop + 0.048 + 0.011)));
   world.detach(at(0.4, -0.4, kTableTop));
   EXPECT_EQ(world.carried(), "");
   EXPECT_EQ(world.pose("bridge_0").translation.y(), -0.4);

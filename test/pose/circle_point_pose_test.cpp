@@ -6,6 +6,7 @@
 
 #include "circle_image.h"
 #include "monocular_eye_hand/pose/circle_pose.h"
+#include "relative_error.h"
 #include "support/camera.h"
 #include "support/random.h"
 
@@ -51,11 +52,6 @@ CirclePointPoses solve(const View& v, const Camera& camera) {
   return circlePointPoses(v.ellipse, camera, v.object, v.uv);
 }
 
-double error(const Rigid3& pose, const Rigid3& truth) {
-  return std::max((pose.rotation - truth.rotation).norm(),
-                  (pose.translation - truth.translation).norm() / truth.translation.norm());
-}
-
 TEST(CirclePointPose, TheTruthComesFirst) {
   Random random(41);
   const Camera camera = unevenCamera();
@@ -63,7 +59,7 @@ TEST(CirclePointPose, TheTruthComesFirst) {
     const View v = randomView(random, camera, uniform(random, 5, 85) * M_PI / 180);
     const CirclePointPoses found = solve(v, camera);
     ASSERT_EQ(found.count, 2);
-    EXPECT_LT(error(found.pose[0].camera_from_object, v.truth), 1e-9) << "draw " << i;
+    EXPECT_LT(relativeError(found.pose[0].camera_from_object, v.truth), 1e-9) << "draw " << i;
     EXPECT_LT(found.pose[0].error, 1e-9);
     EXPECT_LE(found.pose[0].error, found.pose[1].error);
   }
@@ -120,8 +116,8 @@ TEST(CirclePointPose, GracefulTowardsHeadOn) {
       const View v = randomView(random, camera, degrees * M_PI / 180);
       const CirclePointPoses found = solve(v, camera);
       ASSERT_EQ(found.count, 2);
-      const double best = std::min(error(found.pose[0].camera_from_object, v.truth),
-                                   error(found.pose[1].camera_from_object, v.truth));
+      const double best = std::min(relativeError(found.pose[0].camera_from_object, v.truth),
+                                   relativeError(found.pose[1].camera_from_object, v.truth));
       EXPECT_LT(best, degrees < 0.1 ? 1e-5 : 1e-8) << degrees;
     }
 }
@@ -145,7 +141,7 @@ TEST(CirclePointPose, TurningTheImageTurnsThePose) {
     ASSERT_EQ(one.count, 2);
     ASSERT_EQ(two.count, 2);
     for (size_t k = 0; k < 2; ++k)
-      EXPECT_LT(error(two.pose[k].camera_from_object, turn * one.pose[k].camera_from_object), 1e-7);
+      EXPECT_LT(relativeError(two.pose[k].camera_from_object, turn * one.pose[k].camera_from_object), 1e-7);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "monocular_eye_hand/pose/p3p.h"
+#include "relative_error.h"
 #include "support/random.h"
 
 #include <gtest/gtest.h>
@@ -28,15 +29,11 @@ Problem seen(const Matrix3d& points, const Rigid3& camera_from_object) {
   return p;
 }
 
-double error(const Rigid3& pose, const Rigid3& truth) {
-  return std::max((pose.rotation - truth.rotation).norm(),
-                  (pose.translation - truth.translation).norm() / truth.translation.norm());
-}
-
 double bestError(const Problem& problem) {
   const PoseSolutions s = solveP3P(problem.bearings, problem.points);
   double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < s.count; ++i) best = std::min(best, error(s.camera_from_object[i], problem.truth));
+  for (int i = 0; i < s.count; ++i)
+    best = std::min(best, relativeError(s.camera_from_object[i], problem.truth));
   return best;
 }
 
@@ -51,7 +48,7 @@ void expectSound(const Problem& problem, double tolerance = 1e-7) {
       const Vector3d p = pose * Vector3d(problem.points.col(k));
       EXPECT_LT((p.normalized() - problem.bearings.col(k)).norm(), tolerance);
     }
-    for (int k = 0; k < i; ++k) EXPECT_GT(error(pose, s.camera_from_object[k]), 1e-8);
+    for (int k = 0; k < i; ++k) EXPECT_GT(relativeError(pose, s.camera_from_object[k]), 1e-8);
   }
 }
 
@@ -105,7 +102,7 @@ TEST(P3P, KnownSolutionsAllFoundNoOther) {
       for (int i = 0; i < 3; ++i) numbers >> t[i];
       double pose_error = 1, legs_error = 1;
       for (int i = 0; i < poses.count; ++i)
-        pose_error = std::min(pose_error, error(poses.camera_from_object[i], {r, 1e-3 * t}));
+        pose_error = std::min(pose_error, relativeError(poses.camera_from_object[i], {r, 1e-3 * t}));
       for (int i = 0; i < tetrahedron.count; ++i)
         legs_error = std::min(legs_error, (tetrahedron.legs[i] - 1e-3 * legs).norm() / (1e-3 * legs.norm()));
       EXPECT_LT(pose_error, 1e-7) << "problem " << problems;  // the file's own digits
@@ -245,7 +242,7 @@ TEST(P3P, BearingsInOnePlane) {
     Matrix3d in_camera;
     for (int k = 0; k < 3; ++k) in_camera.col(k) = p.truth * Vector3d(points.col(k));
     const Rigid3 object_from_camera = objectFromCamera(points, in_camera);
-    EXPECT_LT(error(object_from_camera.inverse(), p.truth), 1e-12);
+    EXPECT_LT(relativeError(object_from_camera.inverse(), p.truth), 1e-12);
   }
 }
 
@@ -258,7 +255,8 @@ TEST(P3P, ObjectFromCameraInvertsThePose) {
       Matrix3d in_camera;
       for (int k = 0; k < 3; ++k) in_camera.col(k) = truth * Vector3d(points.col(k));
       const Rigid3 object_from_camera = objectFromCamera(points, in_camera);
-      EXPECT_LT(error(object_from_camera.inverse(), truth), 1e-9) << distance;  // |T| / volume x rounding
+      EXPECT_LT(relativeError(object_from_camera.inverse(), truth), 1e-9)
+          << distance;  // |T| / volume x rounding
       EXPECT_NEAR(object_from_camera.rotation.determinant(), 1, 1e-12);
       for (int k = 0; k < 3; ++k)  // eq. 6
         EXPECT_LT((object_from_camera * Vector3d(in_camera.col(k)) - points.col(k)).norm(), 1e-9 * distance);
@@ -278,7 +276,7 @@ TEST(P3P, FourthPointChoosesThePose) {
     ASSERT_GE(chosen, 0);
     several += poses.count > 1;
     EXPECT_LT(angle, 1e-9);
-    EXPECT_LT(error(poses.camera_from_object[chosen], p.truth), 1e-6);
+    EXPECT_LT(relativeError(poses.camera_from_object[chosen], p.truth), 1e-6);
   }
   EXPECT_GT(several, 500);
   EXPECT_EQ(chooseByFourthPoint(PoseSolutions(), Vector3d::UnitX(), Vector3d::UnitZ()), -1);
@@ -295,7 +293,7 @@ TEST(P3P, TurningTheCameraTurnsThePose) {
     for (int k = 0; k < a.count; ++k) {
       double best = 1;
       for (int m = 0; m < b.count; ++m)
-        best = std::min(best, error(b.camera_from_object[m], turn * a.camera_from_object[k]));
+        best = std::min(best, relativeError(b.camera_from_object[m], turn * a.camera_from_object[k]));
       EXPECT_LT(best, 1e-7);
     }
   }
@@ -308,7 +306,7 @@ void expectSamePoses(const PoseSolutions& a, const PoseSolutions& b, const Rigid
   for (int k = 0; k < a.count; ++k) {
     double best = 1;
     for (int m = 0; m < b.count; ++m)
-      best = std::min(best, error(b.camera_from_object[m], a.camera_from_object[k] * right));
+      best = std::min(best, relativeError(b.camera_from_object[m], a.camera_from_object[k] * right));
     EXPECT_LT(best, tolerance);
   }
 }

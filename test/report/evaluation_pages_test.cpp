@@ -11,6 +11,7 @@
 #include "model/build_model.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "support/camera.h"
+#include "support/read_file.h"
 
 namespace monocular_eye_hand {
 namespace {
@@ -46,12 +47,6 @@ std::string nestingFault(const std::string& html) {
     open.pop_back();
   }
   return open.empty() ? "" : "<" + open.back() + "> stays open";
-}
-
-std::string readFile(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
 }
 
 // Two images of a box; the first one's is found, the second one's is missed: its candidate was rejected, and

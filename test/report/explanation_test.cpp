@@ -15,6 +15,7 @@
 #include "monocular_eye_hand/report/result_drawing.h"
 #include "report/html.h"
 #include "support/camera.h"
+#include "support/read_file.h"
 
 using namespace monocular_eye_hand;
 namespace fs = std::filesystem;
@@ -65,12 +66,6 @@ RecognitionResult someResult() {
   result.rejected = {candidate(0, Decision::kRejected, "<script>alert(1)</script>")};
   result.stages = {{"features", 0.0123, {{"segments", 1}}}};
   return result;
-}
-
-std::string readFile(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
 }
 
 class Explain : public testing::Test {

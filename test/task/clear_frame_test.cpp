@@ -17,8 +17,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const ModelBase kModels = models();
-
 TEST(ClearFrame, CarriesEverythingOut) {
   World world;
   world.put(kBridge, 0, at(0.45, 0.05));

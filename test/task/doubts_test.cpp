@@ -13,8 +13,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const ModelBase kModels = models();
-
 /// A world in which phantoms show in the first looks only, and stay in the map.
 class PhantomWorld : public World {
  public:

@@ -12,8 +12,6 @@ using namespace scripted;
 using testing::Contains;
 using testing::HasSubstr;
 
-const ModelBase kModels = models();
-
 TEST(Faults, ASilentCameraEndsTheTaskWithoutMotion) {
   World world;
   world.put(kBridge, 0, at(0.5, 0));

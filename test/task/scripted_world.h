@@ -27,6 +27,7 @@ inline ModelBase models() {
   base.objects[kFrame].handling.grasp = false;
   return base;
 }
+inline const ModelBase kModels = models();
 
 inline Rigid3 at(double x, double y) { return {Eigen::Matrix3d::Identity(), {x, y, 0}}; }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "cell_world.h"
+#include "lowest.h"
 #include "monocular_eye_hand/options/options.h"
 #include "simulation/scenes/footprint.h"
 #include "support/refusal.h"
@@ -13,12 +14,6 @@
 using namespace monocular_eye_hand;
 
 namespace {
-
-double lowest(const SceneObject& object) {
-  double z = 1e9;
-  for (const Eigen::Vector3d& p : object.mesh->vertices) z = std::min(z, (object.world_from_object * p).z());
-  return z;
-}
 
 void expectSideBySide(const Scene& scene) {
   for (size_t a = 0; a < scene.objects.size(); ++a) {

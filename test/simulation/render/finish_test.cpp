@@ -9,15 +9,14 @@
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/simulation/render/render.h"
 #include "monocular_eye_hand/simulation/scenes/random_picture.h"
+#include "render/pinhole.h"
 #include "support/camera.h"
 
 using namespace monocular_eye_hand;
 
 namespace {
 
-Camera pinhole() { return centredCamera(320, 240, 350); }
-
-RenderOptions noiseless() {
+RenderOptions quickNoiseless() {
   RenderOptions options;
   options.samples = options.edge_samples = 2;
   options.noise_sigma = options.shot_noise = options.blur_sigma = 0;
@@ -38,7 +37,7 @@ Scene blockScene(const Finish& finish) {
   return scene;
 }
 
-cv::Mat rendered(const Scene& scene, const RenderOptions& options = noiseless()) {
+cv::Mat rendered(const Scene& scene, const RenderOptions& options = quickNoiseless()) {
   return renderScene(scene, pinhole(), options).grey;
 }
 
@@ -299,14 +298,14 @@ TEST(Sky, LightsWhatLooksUp) {
 TEST(Processing, DarkCornersOverExposureAndSharpening) {
   Scene scene = blockScene({});
   scene.table.half_width = scene.table.half_depth = 3;
-  RenderOptions options = noiseless();
+  RenderOptions options = quickNoiseless();
   const cv::Mat before = rendered(scene, options);
   options.vignetting = 0.4;
   const cv::Mat dark = rendered(scene, options);
   EXPECT_NEAR(dark.at<uchar>(0, 0), 0.6 * before.at<uchar>(0, 0), 2);
   EXPECT_NEAR(dark.at<uchar>(120, 160), before.at<uchar>(120, 160), 1);
 
-  options = noiseless();
+  options = quickNoiseless();
   options.exposure = 0;
   options.mean = 0.9;
   const auto saturatedPixels = [&](double share) {
@@ -317,7 +316,7 @@ TEST(Processing, DarkCornersOverExposureAndSharpening) {
   const int block = saturatedPixels(0.3);
   EXPECT_GT(block, 1000) << "the bright block may saturate";
 
-  options = noiseless();
+  options = quickNoiseless();
   options.blur_sigma = 0.8;
   const auto steepest = [&](double sharpening) {
     options.sharpening = sharpening;
@@ -333,7 +332,7 @@ TEST(Processing, DarkCornersOverExposureAndSharpening) {
 
 namespace {
 
-std::vector<NamedMesh> parts() {
+std::vector<NamedMesh> blockAndCan() {
   return {{"block", std::make_shared<Mesh>(boxMesh({0.08, 0.05, 0.03}))},
           {"can", std::make_shared<Mesh>(cylinderMesh(0.025, 0.07))}};
 }
@@ -351,7 +350,7 @@ RandomPictureOptions mixed() {
 
 TEST(MixedAppearance, SameSeedSamePicture) {
   const auto render = [&](uint32_t seed) {
-    const RandomPicture picture = randomPicture(parts(), seed, mixed());
+    const RandomPicture picture = randomPicture(blockAndCan(), seed, mixed());
     return renderScene(picture.scene, picture.camera, picture.render).grey;
   };
   for (uint32_t seed = 0; seed < 3; ++seed)
@@ -361,7 +360,7 @@ TEST(MixedAppearance, SameSeedSamePicture) {
 TEST(MixedAppearance, HalfOfThePartsStayPlainAndAllKindsAppear) {
   int plain = 0, finished = 0, printed = 0, glossy = 0, translucent = 0, rounded = 0, workshop = 0;
   for (uint32_t seed = 0; seed < 60; ++seed) {
-    for (const SceneObject& object : randomPicture(parts(), seed, mixed()).scene.objects) {
+    for (const SceneObject& object : randomPicture(blockAndCan(), seed, mixed()).scene.objects) {
       if (object.model < 0) {
         workshop += object.name != "clutter";
         continue;
@@ -388,8 +387,8 @@ TEST(MixedAppearance, PartsStandAsInThePlainScene) {
   for (uint32_t seed = 0; seed < 10; ++seed) {
     RandomPictureOptions plain = mixed();
     plain.scene.appearance = Appearance::kPlain;
-    const Scene a = randomPicture(parts(), seed, plain).scene,
-                b = randomPicture(parts(), seed, mixed()).scene;
+    const Scene a = randomPicture(blockAndCan(), seed, plain).scene,
+                b = randomPicture(blockAndCan(), seed, mixed()).scene;
     ASSERT_FALSE(a.objects.empty());
     for (size_t k = 0; k < a.objects.size() && a.objects[k].model >= 0; ++k)
       EXPECT_EQ(a.objects[k].world_from_object.translation, b.objects[k].world_from_object.translation);

@@ -7,14 +7,13 @@
 #include <opencv2/imgproc.hpp>
 
 #include "monocular_eye_hand/geometry/error.h"
+#include "render/pinhole.h"
 #include "support/camera.h"
 #include "support/refusal.h"
 
 using namespace monocular_eye_hand;
 
 namespace {
-
-Camera pinhole() { return centredCamera(320, 240, 350); }
 
 Camera distorted() { return withWebcamLens(pinhole()); }
 

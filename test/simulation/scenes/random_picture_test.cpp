@@ -9,6 +9,7 @@
 #include <map>
 #include <opencv2/core.hpp>
 
+#include "lowest.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/simulation/render/render.h"
 
@@ -21,7 +22,7 @@ NamedMesh block(const std::string& name, double size) {
 }
 
 // From 25 to 200 mm.
-std::vector<NamedMesh> parts() {
+std::vector<NamedMesh> fiveParts() {
   return {block("pin", 0.02), block("nut", 0.03), block("shoe", 0.08), block("plate", 0.11),
           block("beam", 0.16)};
 }
@@ -34,12 +35,6 @@ double diameterInPixels(const RandomPicture& picture, const SceneObject& object)
   return picture.camera.fx * box.diagonal().norm() / middle.norm();
 }
 
-double lowest(const SceneObject& object) {
-  double z = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& p : object.mesh->vertices) z = std::min(z, (object.world_from_object * p).z());
-  return z;
-}
-
 }  // namespace
 
 TEST(RandomPicture, PartsOfAllSizesAppearInUsefulSizes) {
@@ -48,7 +43,7 @@ TEST(RandomPicture, PartsOfAllSizesAppearInUsefulSizes) {
   for (uint32_t seed = 0; seed < 60; ++seed) {
     RandomPictureOptions options;
     options.scene.level = seed % 2 ? SceneLevel::kHard : SceneLevel::kEasy;
-    const RandomPicture picture = randomPicture(parts(), seed, options);
+    const RandomPicture picture = randomPicture(fiveParts(), seed, options);
     ASSERT_FALSE(picture.scene.objects.empty());
     for (const SceneObject& object : picture.scene.objects) {
       if (object.model < 0) continue;
@@ -62,7 +57,7 @@ TEST(RandomPicture, PartsOfAllSizesAppearInUsefulSizes) {
   EXPECT_LT(min_diameter, 80);
   EXPECT_LT(max_diameter, 600);
   EXPECT_GT(max_diameter, 250);
-  EXPECT_EQ(seen.size(), parts().size());
+  EXPECT_EQ(seen.size(), fiveParts().size());
 }
 
 TEST(RandomPicture, CameraIsDrawnWithinItsBounds) {
@@ -71,7 +66,7 @@ TEST(RandomPicture, CameraIsDrawnWithinItsBounds) {
   options.height = 720;
   double min_focal = 10, max_focal = 0;
   for (uint32_t seed = 0; seed < 40; ++seed) {
-    const Camera camera = randomPicture(parts(), seed, options).camera;
+    const Camera camera = randomPicture(fiveParts(), seed, options).camera;
     EXPECT_EQ(camera.width, 1280);
     EXPECT_EQ(camera.height, 720);
     EXPECT_LE(std::abs(camera.cx - 639.5), 12);
@@ -120,11 +115,11 @@ TEST(RandomPicture, PiledPartsTouchButDoNotSinkIn) {
 
 TEST(RandomPicture, SensorFollowsTheLevel) {
   RandomPictureOptions options;
-  EXPECT_EQ(randomPicture(parts(), 1, options).render.noise_sigma, 1);
+  EXPECT_EQ(randomPicture(fiveParts(), 1, options).render.noise_sigma, 1);
   options.scene.level = SceneLevel::kHard;
   double min_sigma = 10, max_sigma = 0;
   for (uint32_t seed = 0; seed < 30; ++seed) {
-    const RenderOptions render = randomPicture(parts(), seed, options).render;
+    const RenderOptions render = randomPicture(fiveParts(), seed, options).render;
     EXPECT_EQ(render.noise_sigma, 3.5);
     min_sigma = std::min(min_sigma, render.blur_sigma);
     max_sigma = std::max(max_sigma, render.blur_sigma);
@@ -142,7 +137,7 @@ TEST(RandomPicture, SameSeedSamePicture) {
   options.width = 160;
   options.height = 120;
   const auto render = [&](uint32_t seed) {
-    const RandomPicture picture = randomPicture(parts(), seed, options);
+    const RandomPicture picture = randomPicture(fiveParts(), seed, options);
     return renderScene(picture.scene, picture.camera, picture.render).grey;
   };
   EXPECT_EQ(cv::norm(render(5), render(5), cv::NORM_INF), 0);
@@ -162,9 +157,9 @@ TEST(RandomPicture, SizesAreDrawnByWeight) {
 TEST(RandomPicture, BadInputIsNamed) {
   RandomPictureOptions options;
   options.max_focal = 0.5;
-  EXPECT_THROW(randomPicture(parts(), 1, options), BadInput);
+  EXPECT_THROW(randomPicture(fiveParts(), 1, options), BadInput);
   options = {};
   options.scene.size.max_pixels = 10;
-  EXPECT_THROW(randomPicture(parts(), 1, options), BadInput);
+  EXPECT_THROW(randomPicture(fiveParts(), 1, options), BadInput);
   EXPECT_THROW(randomPicture({{"empty", nullptr}}, 1), BadInput);
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "lowest.h"
 #include "mesh_checks.h"
 #include "monocular_eye_hand/geometry/error.h"
 #include "monocular_eye_hand/io/camera_file.h"
@@ -22,12 +23,6 @@ std::vector<NamedMesh> parts() {
   return {{"block", std::make_shared<Mesh>(boxMesh({0.08, 0.05, 0.03}))},
           {"can", std::make_shared<Mesh>(cylinderMesh(0.025, 0.07))},
           {"cone", std::make_shared<Mesh>(coneMesh(0.03, 0.01, 0.05))}};
-}
-
-double lowest(const SceneObject& object) {
-  double z = 1e9;
-  for (const Eigen::Vector3d& p : object.mesh->vertices) z = std::min(z, (object.world_from_object * p).z());
-  return z;
 }
 
 }  // namespace
