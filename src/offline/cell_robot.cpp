@@ -8,8 +8,7 @@
 namespace monocular_eye_hand {
 namespace {
 
-constexpr size_t kMaxUntaken = 2000;  // joint readings that nobody takes
-constexpr double kInstant = 1e-9;     // the cell's time is whole nanoseconds [s]
+constexpr double kInstant = 1e-9;  // the cell's time is whole nanoseconds [s]
 
 std::vector<CellPathPoint> pathOf(const Trajectory& trajectory) {
   std::vector<CellPathPoint> path;
@@ -78,7 +77,7 @@ void CellRobot::recordState() {
   gripper_ = gripperOf(cell_);
 
   untaken_.push_back(joints_);
-  if (untaken_.size() > kMaxUntaken) untaken_.erase(untaken_.begin());
+  if (untaken_.size() > kMaxUntakenJoints) untaken_.erase(untaken_.begin());
 }
 
 }  // namespace monocular_eye_hand

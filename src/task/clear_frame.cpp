@@ -231,13 +231,17 @@ void ClearFrameTask::confirm() {
   if (!look(view, &seen)) return;
   ++progress.near_looks;
   ++entry(key).near_looks;
+  judgeNearLook(key, seen.stamp);
+}
 
-  object = known(key);
+void ClearFrameTask::judgeNearLook(const Key& key, double stamp) {
+  Progress& progress = progress_[key];
+  const MappedObject* object = known(key);
   if (!object) return doubted();  // learn() noted that it is gone
   std::string doubt;
   if (object->outliers > 0)
     doubt = "a look from near contradicted its pose";
-  else if (object->last_stamp < seen.stamp)
+  else if (object->last_stamp < stamp)
     doubt = "a look from near did not show it";
   else if (!inFrame(*object))
     doubt = "it is not in the frame any more";

@@ -15,6 +15,9 @@ struct JointReading {
   double speed = 0;                          ///< of the fastest joint [rad/s]
 };
 
+/// Readings that nobody takes are kept up to so many, the latest: seconds of a fast arm.
+constexpr size_t kMaxUntakenJoints = 2000;
+
 /// The last that arm and gripper told, and for how long they have been silent since; none: nothing came yet.
 struct RobotState {
   std::optional<JointReading> joints;

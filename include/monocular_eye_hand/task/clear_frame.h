@@ -137,6 +137,7 @@ class ClearFrameTask {
   void search();
   void choose();
   void confirm();
+  void judgeNearLook(const Key& key, double stamp);
   void doubted();
   bool confirmed(const MappedObject& object) const;  // by views that agree
   bool sure(const Key& key);

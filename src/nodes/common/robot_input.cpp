@@ -6,11 +6,6 @@
 #include "nodes/common/robot_messages.h"
 
 namespace monocular_eye_hand {
-namespace {
-
-constexpr size_t kMaxUntaken = 2000;  // joint readings that nobody takes
-
-}  // namespace
 
 RobotInput::RobotInput() {
   joint_subscriber_ = node_.subscribe(names::kJointStates, 100, &RobotInput::onJoints, this);
@@ -32,7 +27,7 @@ void RobotInput::onJoints(const sensor_msgs::JointState& message) {
   joints_ = reading;
   joints_at_ = Moment::now();
   untaken_.push_back(reading);
-  if (untaken_.size() > kMaxUntaken) untaken_.pop_front();
+  if (untaken_.size() > kMaxUntakenJoints) untaken_.pop_front();
   ++changes_;
   changed_.notify_all();
 }
