@@ -6,8 +6,8 @@
 #   room_test(<room> SOURCES <file>... [LINK ...])        gtest of test/<room>/, one program for all its files, built by the
 #                                                         target `tests`, run by ctest; "support/x.h" is of several rooms
 #   room_test(<room> <name> SOURCES ...)                  another program beside it, where one has to be for itself
-# The sources of a room and of its tests are compiled in batches of eight: their common templates are made once, which
-# takes half the time. Who works on a room compiles less after each change with -DMONOCULAR_EYE_HAND_UNITY_BUILD=OFF.
+# The sources of a room, of its tests, of a program are compiled in batches of eight: their common templates are made
+# once, which takes half the time. Who works on a room compiles less after each change with -DMONOCULAR_EYE_HAND_UNITY_BUILD=OFF.
 include(CMakeParseArguments)
 option(MONOCULAR_EYE_HAND_UNITY_BUILD "Compile the sources of a room in batches" ON)
 
@@ -45,6 +45,7 @@ function(tool name)
   target_link_libraries(${target} PRIVATE ${ARG_LINK} fmt::fmt)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
+  in_batches(${target})
   precompile(${target} program)
   set_property(GLOBAL APPEND PROPERTY MONOCULAR_EYE_HAND_PROGRAMS ${target})
 endfunction()

@@ -21,7 +21,7 @@ std::optional<Eigen::MatrixXd> inverseOf(const Eigen::MatrixXd& matrix) {
   const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * matrix *
                                                              scale.asDiagonal());
-  const Eigen::VectorXd values = eigen.eigenvalues();
+  const Eigen::VectorXd& values = eigen.eigenvalues();
   if (!(values[0] > kOpen * values[values.size() - 1])) return {};
   const Eigen::MatrixXd axes = scale.asDiagonal() * eigen.eigenvectors();
   return Eigen::MatrixXd(axes * values.cwiseInverse().asDiagonal() * axes.transpose());
@@ -34,7 +34,7 @@ Eigen::MatrixXd pseudoInverseOf(const Eigen::MatrixXd& matrix) {
   const Eigen::VectorXd scale = (diagonal.array() > 0).select(diagonal.cwiseSqrt().cwiseInverse(), 1.0);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * matrix *
                                                              scale.asDiagonal());
-  const Eigen::VectorXd values = eigen.eigenvalues();
+  const Eigen::VectorXd& values = eigen.eigenvalues();
   const double least = kOpen * values[values.size() - 1];
   const Eigen::VectorXd inverse = (values.array() > least).select(values.cwiseInverse(), 0.0);
   const Eigen::MatrixXd axes = scale.asDiagonal() * eigen.eigenvectors();
