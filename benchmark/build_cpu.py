@@ -44,21 +44,29 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("build")
     parser.add_argument("--every", type=int, default=1, help="run only each N-th command of a kind of target")
+    parser.add_argument("--dearest", type=int, default=0, help="name so many targets, those that took the most")
     options = parser.parse_args()
 
     kinds = collections.defaultdict(list)
     for target, words in commands(options.build):
-        kinds["tests" if "/test_" in target or target.startswith("test") else "other"].append(words)
+        kinds["tests" if "/test_" in target or target.startswith("test") else "other"].append((target, words))
 
     total = 0
+    of_target = collections.Counter()
     with tempfile.TemporaryDirectory() as folder:
         for kind, all_commands in sorted(kinds.items()):
             taken = all_commands[::options.every]
-            spent = sum(seconds_of(words, options.build, os.path.join(folder, "out.o")) for words in taken)
+            spent = 0
+            for target, words in taken:
+                seconds = seconds_of(words, options.build, os.path.join(folder, "out.o"))
+                spent += seconds
+                of_target[os.path.basename(target)] += seconds
             scaled = spent * len(all_commands) / len(taken)
             total += scaled
             print(f"{kind}: {len(all_commands)} compiler calls, {scaled:.0f} s of CPU ({len(taken)} measured)", flush=True)
     print(f"all: {total:.0f} s of CPU")
+    for target, seconds in of_target.most_common(options.dearest):
+        print(f"  {seconds:4.0f} s  {target}")
     return 0
 
 
