@@ -46,25 +46,30 @@ def flags(command):
     return kept
 
 
-def unit_of(source, build):
-    """src/<module>, src/nodes/<node>, or a tool's own file; None for what is no source of the package."""
+def units_of(source, build):
+    """src/<module> that a source, or a batch of sources in the build folder, is of. A batch does not tell of which node or
+    tool it is: every folder of src/nodes, every file of src/tools by itself. Nothing for what is no source of the package."""
+    parts = ()
     for root in (ROOT, build):
         if source.is_relative_to(root / "src"):
             parts = source.relative_to(root / "src").parts
-            if parts[0] == "tools":
-                return pathlib.Path("src", *parts)
-            return pathlib.Path("src", *parts[:2]) if parts[0] == "nodes" else pathlib.Path("src", parts[0])
-    return None
+    if not parts:
+        return []
+    if parts[0] == "tools":
+        return [path.relative_to(ROOT) for path in sorted((ROOT / "src/tools").glob("*.cpp"))]
+    if parts[0] == "nodes":
+        return sorted({path.parent.relative_to(ROOT) for path in (ROOT / "src/nodes").glob("*/*.cpp")})
+    return [pathlib.Path("src", parts[0])]
 
 
 def units(build):
     """{unit: (its sources, the flags)}"""
     found = {}
     for source, command in commands(str(build)):
-        unit = unit_of(source, build)
-        if unit and unit not in found:
-            path = ROOT / unit
-            found[unit] = (sorted(path.rglob("*.cpp")) if path.is_dir() else [path], flags(command))
+        for unit in units_of(source, build):
+            if unit not in found:
+                path = ROOT / unit
+                found[unit] = (sorted(path.rglob("*.cpp")) if path.is_dir() else [path], flags(command))
     return found
 
 
