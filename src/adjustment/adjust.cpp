@@ -143,10 +143,11 @@ AdjustmentReport adjust(AdjustmentProblem* problem, const AdjustmentOptions& opt
       break;
     }
 
-    const double cost = solved ? costOf(*problem, stepped(*problem, step)) : report.cost;
-    if (solved && cost < report.cost) {
+    const std::vector<BlockValue> next = solved ? stepped(*problem, step) : problem->values();
+    const double cost = costOf(*problem, next);
+    if (cost < report.cost) {
       const double gain = (report.cost - cost) / step.decrease;
-      setAll(problem, stepped(*problem, step));
+      setAll(problem, next);
       report.cost = cost;
       now = allEquations(*problem, layout);
       if (!now.valid) break;

@@ -136,8 +136,7 @@ std::optional<Eigen::MatrixXd> AdjustmentUncertainty::covariance(const std::vect
   if (!determined_) return {};
   // J C J^T with the derivatives J of the blocks by what stays, and for eliminated blocks what stays
   // uncertain of them where all else is known.
-  int rows = 0;
-  for (const BlockId block : blocks) rows += dimensions_.at(size_t(block));
+  const int rows = dimensionOf(blocks);
   Eigen::MatrixXd by_staying = Eigen::MatrixXd::Zero(rows, covariance_.rows());
   Eigen::MatrixXd own = Eigen::MatrixXd::Zero(rows, rows);
 
@@ -172,18 +171,21 @@ std::vector<int> AdjustmentUncertainty::columnsOf(const std::vector<BlockId>& bl
   return columns;
 }
 
-Eigen::VectorXd AdjustmentUncertainty::chosen(const std::vector<BlockId>& blocks,
-                                              const Eigen::VectorXd& staying) const {
+int AdjustmentUncertainty::dimensionOf(const std::vector<BlockId>& blocks) const {
   int rows = 0;
   for (const BlockId block : blocks) rows += dimensions_.at(size_t(block));
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(rows);
-  int row = 0;
+  return rows;
+}
+
+// Where the free coordinates stand among all, as columnsOf() has them among those of what stays.
+std::vector<int> AdjustmentUncertainty::freeRowsOf(const std::vector<BlockId>& blocks) const {
+  std::vector<int> rows;
+  int first = 0;
   for (const BlockId block : blocks) {
-    const std::vector<int>& free = free_[size_t(block)];
-    for (size_t k = 0; k < free.size(); ++k) out[row + free[k]] = staying[first_[size_t(block)] + int(k)];
-    row += dimensions_[size_t(block)];
+    for (const int coordinate : free_.at(size_t(block))) rows.push_back(first + coordinate);
+    first += dimensions_[size_t(block)];
   }
-  return out;
+  return rows;
 }
 
 Eigen::MatrixXd AdjustmentUncertainty::information(const std::vector<BlockId>& blocks) const {
@@ -197,14 +199,8 @@ Eigen::MatrixXd AdjustmentUncertainty::information(const std::vector<BlockId>& b
       selected(information_, own, own) -
       cross * pseudoInverseOf(selected(information_, others, others)) * cross.transpose();
 
-  // From the free coordinates to all.
-  int rows = 0;
-  std::vector<int> places;
-  for (const BlockId block : blocks) {
-    for (const int coordinate : free_[size_t(block)]) places.push_back(rows + coordinate);
-    rows += dimensions_[size_t(block)];
-  }
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(rows, rows);
+  const std::vector<int> places = freeRowsOf(blocks);
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(dimensionOf(blocks), dimensionOf(blocks));
   for (size_t r = 0; r < places.size(); ++r)
     for (size_t c = 0; c < places.size(); ++c) out(places[r], places[c]) = marginal(int(r), int(c));
   return 0.5 * (out + out.transpose());
@@ -218,13 +214,18 @@ std::vector<int> AdjustmentUncertainty::groups() const {
 
 std::optional<Eigen::VectorXd> AdjustmentUncertainty::changeWithout(
     int group, const std::vector<BlockId>& blocks) const {
-  columnsOf(blocks);  // refuses eliminated ones
+  const std::vector<int> columns = columnsOf(blocks);
   const auto share = shares_.find(group);
   if (share == shares_.end()) throw BadInput(fmt::format("the adjustment has no group {}", group));
   // At the optimum all gradients sum to zero, so that without the group -s of it is left.
   const std::optional<Eigen::MatrixXd> inverse = inverseOf(information_ - share->second.information);
   if (!inverse) return {};
-  return chosen(blocks, *inverse * share->second.gradient);
+
+  const Eigen::VectorXd change = *inverse * share->second.gradient;
+  const std::vector<int> places = freeRowsOf(blocks);
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(dimensionOf(blocks));
+  for (size_t k = 0; k < places.size(); ++k) out[places[k]] = change[columns[k]];
+  return out;
 }
 
 std::optional<Eigen::MatrixXd> AdjustmentUncertainty::sandwich(const std::vector<BlockId>& blocks) const {

@@ -50,7 +50,8 @@ class AdjustmentUncertainty {
     Eigen::MatrixXd change;   ///< of its free coordinates by those of what stays
   };
   void addShares(const AdjustmentProblem& problem);
-  Eigen::VectorXd chosen(const std::vector<BlockId>& blocks, const Eigen::VectorXd& staying) const;
+  int dimensionOf(const std::vector<BlockId>& blocks) const;
+  std::vector<int> freeRowsOf(const std::vector<BlockId>& blocks) const;
   std::vector<int> columnsOf(const std::vector<BlockId>& blocks) const;
 
   std::vector<std::string> names_;
